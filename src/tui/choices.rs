@@ -1,8 +1,7 @@
 //! Everything that can be opened: presets of the program and of the person's own, and files.
 
-use crate::scenario::Scenario;
-use crate::scenario::library;
 use crate::scenario::library::Origin;
+use crate::scenario::{Scenario, library};
 
 /// A preset, or a scenario that was given on the command line.
 #[derive(Debug, Clone)]

@@ -10,11 +10,10 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::scenario::library;
 use crate::scenario::load::read_text;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::ron_text;
+use crate::scenario::{library, ron_text};
 use crate::tui::app::chosen_keys::named;
 use crate::tui::app::tables::clash;
 use crate::tui::keys::chosen::Keys;
@@ -343,40 +342,31 @@ mod tests {
             assert_eq!(Config::read(&printed, "").unwrap(), config, "{printed}");
         }
         let config = Config::read(own, "").unwrap();
-        assert_eq!(
-            (config.fps, config.first_screen(), config.idle),
-            (30, Some(6), false)
-        );
+        let read = (config.fps, config.first_screen(), config.idle);
+        assert_eq!(read, (30, Some(6), false));
         assert!(config.to_ron().contains("1 to 60; usually 12."));
     }
 
     #[test]
     fn what_is_refused_is_told_with_place_value_and_range() {
-        for (written, told) in [
-            (
-                "color: \"blue\"",
-                "9: color: \"blue\" is not known here: allowed \"auto\", \"never\", \"16\", \"256\"",
-            ),
-            (
-                "fps: 99",
-                "7: fps: 99 is out of range: allowed whole numbers 1 to 60",
-            ),
-            (
-                "fps: 300",
-                "7: fps: 300 is not a whole number in range: allowed whole numbers 1 to 60",
-            ),
+        let depths = "not known here: allowed \"auto\", \"never\", \"16\", \"256\"";
+        let number = "not a whole number in range: allowed whole numbers 1 to 60";
+        let screens = "not known here: allowed \"last\", \"main\", \"replay\", \"forces\", \"compare\", \
+                       \"accuracy\", \"doubt\", \"map\", \"injury\"";
+        for (written, at, told) in [
+            ("color: \"blue\"", 9, depths),
+            ("fps: 99", 7, "out of range: allowed whole numbers 1 to 60"),
+            ("fps: 300", 7, number),
             (
                 "mouse: 1",
-                "9: mouse: 1 is neither true nor false: allowed true or false",
+                9,
+                "neither true nor false: allowed true or false",
             ),
-            (
-                "start: \"nowhere\"",
-                "9: start: \"nowhere\" is not known here: allowed \"last\", \"main\", \"replay\", \
-                 \"forces\", \"compare\", \"accuracy\", \"doubt\", \"map\", \"injury\"",
-            ),
+            ("start: \"nowhere\"", 9, screens),
         ] {
             let text = format!("(\n {written},\n)");
-            assert_eq!(complaint(&text), format!("config.ron:2:{told}"));
+            let told = format!("config.ron:2:{at}: {written} is {told}");
+            assert_eq!(complaint(&text), told);
         }
         let complaint = complaint("(start: \"nowhere\", fps: 0)");
         assert_eq!(complaint.lines().count(), 2, "{complaint}");
@@ -386,31 +376,22 @@ mod tests {
     fn colours_are_chosen_by_the_name_of_their_role() {
         let config = Config::read("(colours: (heading: 21, fat: \"bright red\"))", "").unwrap();
         let own = config.colours;
-        assert_eq!(
-            (own.heading.0, own.fat.0, own.bar.0),
-            (Some(21), Some(9), None)
-        );
+        let places = [own.heading.0, own.fat.0, own.bar.0];
+        assert_eq!(places, [Some(21), Some(9), None]);
         let printed = config.to_ron();
         assert!(printed.contains("heading: 21,"), "{printed}");
         assert!(printed.contains("fat: \"bright red\","), "{printed}");
         assert!(printed.contains("bar: \"auto\","), "{printed}");
         let allowed = "allowed \"auto\", whole numbers 0 to 255, or one of \"black\", \"red\", ";
-        for (written, begins) in [
-            (
-                "heading: 256",
-                "12: colours.heading: 256 is no such colour: ",
-            ),
-            (
-                "fat: \"mauve\"",
-                "8: colours.fat: \"mauve\" is no such colour: ",
-            ),
-            ("bar: true", "8: colours.bar: true is no such colour: "),
+        for (written, at) in [
+            ("heading: 256", 12),
+            ("fat: \"mauve\"", 8),
+            ("bar: true", 8),
         ] {
             let told = complaint(&format!("(\n colours: (\n  {written},\n ),\n)"));
-            assert!(
-                told.starts_with(&format!("config.ron:3:{begins}{allowed}")),
-                "{told}"
-            );
+            let begins =
+                format!("config.ron:3:{at}: colours.{written} is no such colour: {allowed}");
+            assert!(told.starts_with(&begins), "{told}");
         }
         let told = complaint("(colours: (hedding: 1))");
         assert!(

@@ -118,12 +118,8 @@ mod tests {
     #[test]
     fn every_preset_of_the_program_is_for_guests_and_finer_or_longer_ones_are_not() {
         for preset in built_in() {
-            assert_eq!(
-                allowed(&preset.scenario().unwrap()),
-                Ok(()),
-                "{}",
-                preset.name
-            );
+            let scenario = preset.scenario().unwrap();
+            assert_eq!(allowed(&scenario), Ok(()), "{}", preset.name);
         }
         let mut fine = Scenario::default();
         fine.eye.level = FINEST_LEVEL + 1;

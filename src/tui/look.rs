@@ -16,3 +16,16 @@ pub struct Look {
     /// The ground, and colours of the person's own choice.
     pub palette: Palette,
 }
+
+#[cfg(test)]
+impl Look {
+    /// As the app is by itself on a dark ground.
+    pub fn new(depth: Depth, symbols: Symbols) -> Self {
+        Self {
+            depth,
+            symbols,
+            heat: HeatMap::Hot,
+            palette: Palette::default(),
+        }
+    }
+}

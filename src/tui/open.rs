@@ -12,17 +12,15 @@ use crate::scenario::problem::{Problem, ScenarioError};
 use crate::tui::app::App;
 use crate::tui::choices::{Choice, choices};
 use crate::tui::config::Config;
-use crate::tui::guest;
 use crate::tui::look::Look;
 use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::picker::Picker;
-use crate::tui::saved_session;
 use crate::tui::saved_session::SavedSession;
-use crate::tui::terminal;
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::view::palette::Palette;
 use crate::tui::work::Work;
+use crate::tui::{guest, saved_session, terminal};
 
 /// What is opened if nothing is asked for.
 pub(super) const FIRST: &str = "paper-300n";

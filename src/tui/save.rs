@@ -205,10 +205,8 @@ mod tests {
     #[test]
     fn saving_over_a_linked_preset_follows_the_link() {
         let (presets, elsewhere) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        let (link, target) = (
-            presets.path().join("a.ron"),
-            elsewhere.path().join("own.ron"),
-        );
+        let link = presets.path().join("a.ron");
+        let target = elsewhere.path().join("own.ron");
         fs::write(&target, "old").unwrap();
         std::os::unix::fs::symlink(&target, &link).unwrap();
         let taken = save(presets.path(), "a", "new", false);
@@ -238,10 +236,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let inner = folder.path().join("a/b");
         assert_eq!(save(&inner, "mine", "one", false), Ok(()));
-        assert_eq!(
-            save(&inner, "mine", "two", false),
-            Err(SaveError::Exists("mine".to_owned()))
-        );
+        let taken = save(&inner, "mine", "two", false);
+        assert_eq!(taken, Err(SaveError::Exists("mine".to_owned())));
         let file = inner.join("mine.ron");
         assert_eq!(fs::read_to_string(&file).unwrap(), "one");
         assert_eq!(save(&inner, "mine", "two", true), Ok(()));
@@ -267,10 +263,8 @@ mod tests {
         for name in ["else", "my blow"] {
             assert!(remove(folder.path(), name).is_ok_and(|text| !text.is_empty()));
         }
-        assert!(matches!(
-            remove(folder.path(), "else"),
-            Err(SaveError::Kept(_))
-        ));
+        let gone = remove(folder.path(), "else");
+        assert!(matches!(gone, Err(SaveError::Kept(_))));
         assert_eq!(names(folder.path()), [""; 0]);
     }
 
@@ -298,10 +292,8 @@ mod tests {
             assert_eq!(check_name(name), Err(SaveError::Name), "{name:?}");
         }
         for name in ["a/b", "a\\b", "c:x", "blöw"] {
-            assert!(
-                matches!(check_name(name), Err(SaveError::Letter(_))),
-                "{name:?}"
-            );
+            let refused = check_name(name);
+            assert!(matches!(refused, Err(SaveError::Letter(_))), "{name:?}");
         }
         assert_eq!(check_name(&"x".repeat(41)), Err(SaveError::Name));
         for name in ["my-blow_2.1", "my squash ball"] {

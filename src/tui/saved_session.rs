@@ -5,17 +5,15 @@
 //! written whole or not at all; where it cannot be, changes are not promised to be kept. One that
 //! cannot be read is told and otherwise as good as none. A guest leaves none.
 
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use serde::{Deserialize, Serialize};
 
-use crate::scenario::Scenario;
 use crate::scenario::library::home;
 use crate::scenario::load::{parse, read_text, to_ron};
 use crate::scenario::problem::ScenarioError;
-use crate::scenario::ron_text;
+use crate::scenario::{Scenario, ron_text};
 use crate::tui::app::App;
 use crate::tui::screens::SCREENS;
 use crate::whole_file;

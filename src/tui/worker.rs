@@ -3,12 +3,11 @@
 //! It does one request and holds at most one more; a newer request takes the place of the held one
 //! and stops the running one.
 
-use std::io;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{io, thread};
 
 use crate::run::threads;
 use crate::run::watch::Watch;

@@ -8,19 +8,11 @@ use crate::tui::open::prepare;
 use crate::tui::outbox::Effect;
 use crate::tui::request::{TaskQuestion, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
-use crate::tui::view::heat::HeatMap;
-use crate::tui::view::palette::Palette;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// Opened, without its first simulation.
 pub fn opened() -> App {
-    let look = Look {
-        depth: Depth::Mono,
-        symbols: Symbols::Braille,
-        heat: HeatMap::Hot,
-        palette: Palette::default(),
-    };
-    prepare(&[], look).unwrap()
+    prepare(&[], Look::new(Depth::Mono, Symbols::Braille)).unwrap()
 }
 
 /// Opened, and its first simulation asked for.

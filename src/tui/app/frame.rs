@@ -11,8 +11,7 @@ use crate::tui::overlay::Overlay;
 use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::About;
 use crate::tui::terminal::caps::Symbols;
-use crate::tui::view::text::put;
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
 use crate::tui::view::{SMALLEST, footer, overlay, text};
 
 /// What stands in the upper left corner.
@@ -27,17 +26,18 @@ const MARK: u16 = 2;
 pub fn draw(app: &App, buffer: &mut Buffer) {
     let (model, area) = (&app.model, buffer.area);
     buffer.reset();
+    let sheet = &mut Sheet::new(buffer, area, model.look);
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
-        too_small(model, area, buffer);
+        too_small(model, sheet);
     } else {
-        let body = body(area);
-        title(app, area, buffer);
-        app.on_show().draw(model, body, buffer);
-        let foot = Rect::new(0, area.height - 1, area.width, 1);
-        footer::draw(model, tables::footer_keys(app), foot, buffer);
+        title(app, sheet);
+        let keys = tables::footer_keys(app);
+        footer::draw(model, keys, &mut sheet.row(area.height - 1));
+        let body = &mut sheet.at(body(area));
+        app.on_show().draw(model, body);
         match model.overlay {
-            Some(Overlay::Help(line)) => help::draw(app, line, body, buffer),
-            _ => overlay::draw(model, body, buffer),
+            Some(Overlay::Help(line)) => help::draw(app, line, body),
+            _ => overlay::draw(model, body),
         }
     }
     if model.look.symbols == Symbols::Ascii {
@@ -50,7 +50,8 @@ pub fn body(area: Rect) -> Rect {
     Rect::new(0, 1, area.width, area.height - 2)
 }
 
-fn too_small(model: &AppModel, area: Rect, buffer: &mut Buffer) {
+fn too_small(model: &AppModel, sheet: &mut Sheet) {
+    let area = sheet.area;
     // A question takes every key, so it is asked here too.
     let question = match &model.overlay {
         Some(Overlay::Prompt(question)) => question.brief() + " y or n",
@@ -66,7 +67,7 @@ fn too_small(model: &AppModel, area: Rect, buffer: &mut Buffer) {
     for (i, line) in lines.iter().enumerate() {
         let left = area.width.saturating_sub(text::width(line)) / 2;
         let style = ratatui::style::Style::new();
-        put(buffer, area, (left, top + i as u16), line, style);
+        sheet.put((left, top + i as u16), line, style);
     }
 }
 
@@ -140,16 +141,17 @@ enum Form {
 }
 
 /// The name of the program, the screens with their keys, and the preset.
-fn title(app: &App, area: Rect, buffer: &mut Buffer) {
+fn title(app: &App, sheet: &mut Sheet) {
+    let area = sheet.area;
     let model = &app.model;
-    let theme = Theme::of(model.look);
+    let theme = sheet.theme;
     let row = Rect::new(0, 0, area.width, 1);
-    buffer.set_style(row, theme.bar());
+    sheet.buffer.set_style(row, theme.bar());
     let name = model.title();
     let tabs = tabs(app, area.width);
     let mut x = 0;
     if tabs[0].0 > 1 {
-        x = put(buffer, row, (x, 0), PROGRAM, theme.bar_strong());
+        x = sheet.at(row).put((x, 0), PROGRAM, theme.bar_strong());
     }
     // Where the names of the screens are tight, so is the space round the preset's.
     let margin = u16::from(tabs[0].0 > 0);
@@ -160,7 +162,7 @@ fn title(app: &App, area: Rect, buffer: &mut Buffer) {
             theme.bar()
         };
         debug_assert!(at >= x);
-        x = put(buffer, row, (at, 0), &label, style);
+        x = sheet.at(row).put((at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
     // The mark of an edit is worth more than the name, of which parts are worth nothing while it
@@ -177,5 +179,5 @@ fn title(app: &App, area: Rect, buffer: &mut Buffer) {
         None => text::fitted(&name, room),
     };
     let left = area.width.saturating_sub(text::width(&name) + margin);
-    put(buffer, row, (left, 0), &name, theme.bar());
+    sheet.at(row).put((left, 0), &name, theme.bar());
 }

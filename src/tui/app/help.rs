@@ -1,14 +1,11 @@
 //! The help: every key with what it does, and every word explained.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
 use crate::guide;
 use crate::tui::app::{App, tables};
 use crate::tui::keys::KeyList;
 use crate::tui::view::popup::{MARGIN, frame};
-use crate::tui::view::text::{put, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::wrapped;
 use crate::tui::view::{PURPOSE, SMALLEST};
 
 /// Columns of the help, and of the keys in it.
@@ -87,9 +84,10 @@ fn glossary(room: usize) -> Vec<(String, String)> {
 }
 
 /// Draws the help from this line on.
-pub fn draw(app: &App, line: u16, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(app.model.look);
-    let inside = frame("Help", (HELP, area.height), theme, area, buffer);
+pub fn draw(app: &App, line: u16, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let sheet = &mut frame("Help", (HELP, area.height), sheet);
+    let inside = sheet.area;
     let lines = lines(app, usize::from(inside.width));
     let last = (lines.len() as u16).saturating_sub(inside.height);
     for (y, (keys, what)) in lines
@@ -103,9 +101,9 @@ pub fn draw(app: &App, line: u16, area: Rect, buffer: &mut Buffer) {
         } else {
             theme.strong()
         };
-        put(buffer, inside, (0, y as u16), keys, style);
+        sheet.put((0, y as u16), keys, style);
         // Words of the glossary have no keys before them.
         let x = if keys.is_empty() { 2 } else { KEYS - 1 };
-        put(buffer, inside, (x, y as u16), what, theme.text());
+        sheet.put((x, y as u16), what, theme.text());
     }
 }

@@ -1,20 +1,23 @@
 //! What keys and answers do to the app, without a terminal and without threads.
 
-use crate::answer::solve::solve as simulate;
+use crate::answer::solve::{Answer, solve};
 use crate::run::kept::Keep;
+use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
-use crate::scenario::Impact;
-use crate::scenario::fields;
-use crate::tui::app::App;
-use crate::tui::app::driven::{asked, begun};
-use crate::tui::app::update::{Message, update};
+use crate::scenario::library::find;
+use crate::scenario::{ForcePulse, Impact, fields};
+use crate::tui::app::driven::{asked, begun, key, letter, opened};
+use crate::tui::app::frame::{draw, tabs};
+use crate::tui::app::tables::footer_keys;
+use crate::tui::app::update::{Message, begin, update};
+use crate::tui::app::{App, tables};
 use crate::tui::changes::edit::change;
-use crate::tui::form::FormRow;
+use crate::tui::form::{FormRow, Typing};
 use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::prepare;
-use crate::tui::request::{Report, Ticket};
+use crate::tui::request::{Report, TaskQuestion, Ticket};
 use crate::tui::save::SaveError;
 use crate::tui::screens::SCREENS;
 use crate::tui::screens::accuracy::measurement::Measurement;
@@ -22,6 +25,9 @@ use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, Simul
 use crate::tui::screens::map::state::Map;
 use crate::tui::simulation::Simulate;
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 use std::time::Duration;
 
 mod chosen;
@@ -37,8 +43,27 @@ mod typing;
 
 fn app() -> App {
     let mut app = begun();
-    app.model.form.selected = FormRow::Field(fields::find("impact.force_n").unwrap());
+    app.model.form.selected = row("impact.force_n");
     app
+}
+
+/// The row of a field.
+fn row(path: &str) -> FormRow {
+    FormRow::Field(fields::find(path).unwrap())
+}
+
+/// Tells what came of a question.
+fn done<Q: TaskQuestion>(
+    app: &mut App,
+    ticket: Ticket,
+    outcome: Result<Q::Answer, Refusal>,
+) -> Vec<Effect> {
+    update(app, Message::News(Report::done::<Q>(ticket, outcome)))
+}
+
+/// Tells what there is of the answer to a question.
+fn so_far<Q: TaskQuestion>(app: &mut App, ticket: Ticket, answer: Q::Answer) -> Vec<Effect> {
+    update(app, Message::News(Report::so_far::<Q>(ticket, answer)))
 }
 
 fn press(app: &mut App, keys: &str) -> Vec<Effect> {
@@ -56,11 +81,25 @@ fn press(app: &mut App, keys: &str) -> Vec<Effect> {
     effects
 }
 
-fn force(app: &App) -> f64 {
+fn pulse(app: &App) -> &ForcePulse {
     let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
-        panic!()
+        panic!("no pulse")
     };
-    pulse.force_n
+    pulse
+}
+
+fn force(app: &App) -> f64 {
+    pulse(app).force_n
+}
+
+/// The value that is being typed.
+fn typing(app: &App) -> &Typing {
+    app.model.form.typing.as_ref().unwrap()
+}
+
+/// What is wrong with it.
+fn wrong(app: &App) -> &str {
+    typing(app).error.as_ref().unwrap()
 }
 
 /// What the footer says of the last key.
@@ -81,19 +120,15 @@ fn running(app: &App) -> Ticket {
     app.model.run.job.as_ref().unwrap().ticket
 }
 
-fn answer(app: &mut App, ticket: Ticket) {
-    let answer = simulate(
-        &app.model.work.scenario.check().unwrap(),
-        Keep::default(),
-        &mut unwatched,
-    );
-    let report = Report::done::<Simulate>(ticket, answer);
-    update(app, Message::News(report));
+/// What comes of the scenario that is worked on.
+fn simulated(app: &App) -> Result<Answer, Refusal> {
+    let scenario = app.model.work.scenario.check().unwrap();
+    solve(&scenario, Keep::default(), &mut unwatched)
 }
 
-fn refuse(app: &mut App, ticket: Ticket, refusal: Refusal) {
-    let report = Report::done::<Simulate>(ticket, Err(refusal));
-    update(app, Message::News(report));
+fn answer(app: &mut App, ticket: Ticket) {
+    let answer = simulated(app);
+    done::<Simulate>(app, ticket, answer);
 }
 
 #[test]
@@ -128,7 +163,7 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
     answer(&mut app, 1);
     press(&mut app, "l");
     let ticket = running(&app);
-    refuse(&mut app, ticket, Refusal::Cancelled);
+    done::<Simulate>(&mut app, ticket, Err(Refusal::Cancelled));
     let (_, why) = app.model.run.complaint.as_ref().unwrap();
     assert!(why.contains("the next edit"));
     assert_eq!(app.model.stale(), Some("last good result"));
@@ -145,7 +180,7 @@ fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
     answer(&mut app, 1);
     press(&mut app, "ptennis\r");
     assert_eq!(app.model.work.name(), "tennis-ball");
-    let speed = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
+    let speed = row("impact.speed_m_s");
     assert!(app.model.form.selected == speed, "its speed is next");
     let ticket = running(&app);
     let effects = press(&mut app, "\x1b");
@@ -193,23 +228,13 @@ fn undo_and_redo_travel_through_edits_and_presets() {
 fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current() {
     let mut app = app();
     press(&mut app, "\tKKKKKKKKKK");
-    let angle = |app: &App| match &app.model.work.scenario.impact {
-        Impact::ForcePulse(pulse) => pulse.angle_deg,
-        Impact::Projectile(_) => panic!(),
-    };
-    let limit = angle(&app);
+    let limit = pulse(&app).angle_deg;
     let ticket = running(&app);
     answer(&mut app, ticket);
     press(&mut app, "k");
-    assert_eq!(angle(&app), limit);
-    assert!(
-        app.model
-            .form
-            .complaint
-            .as_ref()
-            .unwrap()
-            .contains("bone shields")
-    );
+    assert_eq!(pulse(&app).angle_deg, limit);
+    let complaint = app.model.form.complaint.as_ref().unwrap();
+    assert!(complaint.contains("bone shields"));
     assert_eq!(app.model.stale(), None);
 }
 
@@ -243,11 +268,8 @@ fn a_speed_behind_a_name_in_the_list_goes_with_it_and_an_f_key_leaves_the_list()
     press(&mut app, "p\x1b4/");
     press(&mut app, "paintb@80\r");
     press(&mut app, "cork@fast\r");
-    assert!(
-        notice(&app).contains("fast is not a number"),
-        "{}",
-        notice(&app)
-    );
+    let said = notice(&app);
+    assert!(said.contains("fast is not a number"), "{said}");
     let entries = &app.state::<Comparison>().entries;
     let names: Vec<&str> = entries.iter().map(|entry| &entry.name[..]).collect();
     assert_eq!(names, ["paintball@80"]);
@@ -256,26 +278,12 @@ fn a_speed_behind_a_name_in_the_list_goes_with_it_and_an_f_key_leaves_the_list()
 
 #[test]
 fn more_scenarios_than_can_be_marked_are_counted() {
-    let names = [
-        "paper-300n",
-        "paper-100n",
-        "paper-600n",
-        "wide-area",
-        "small-area",
-        "bb-56",
-        "bb-62",
-        "bb-92",
-    ]
-    .map(str::to_owned);
+    let names = "paper-300n paper-100n paper-600n wide-area small-area bb-56 bb-62 bb-92";
+    let names: Vec<String> = names.split(' ').map(str::to_owned).collect();
     let look = app().model.look;
     let app = prepare(&names, look).unwrap();
     assert_eq!(app.state::<Comparison>().entries.len(), 6);
-    assert!(
-        app.model
-            .notice
-            .unwrap()
-            .contains("first 6 are marked for comparison, 2 are not")
-    );
+    assert!(notice(&app).contains("first 6 are marked for comparison, 2 are not"));
     assert!(prepare(&names[..6], look).unwrap().model.notice.is_none());
 }
 
@@ -305,10 +313,8 @@ fn saving_asks_for_a_name_and_before_it_replaces() {
     assert!(matches!(&app.model.overlay, Some(Overlay::Prompt(q)) if *q == replace));
     press(&mut app, "n");
     press(&mut app, "\x15a/b\r");
-    assert!(matches!(
-        &app.model.overlay,
-        Some(Overlay::Name(_, _, Some(_)))
-    ));
+    let overlay = &app.model.overlay;
+    assert!(matches!(overlay, Some(Overlay::Name(_, _, Some(_)))));
     let effects = press(&mut app, "\x15mine\r");
     let [Effect::Save(name, text, false)] = &effects[..] else {
         panic!("{effects:?}")
@@ -328,15 +334,9 @@ fn saving_asks_for_a_name_and_before_it_replaces() {
 fn the_dial_and_the_form_turn_the_same_angle() {
     let mut app = app();
     press(&mut app, "\tkkK");
-    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
-        panic!()
-    };
-    assert_eq!(pulse.angle_deg, 10.0);
+    assert_eq!(pulse(&app).angle_deg, 10.0);
     press(&mut app, "l");
-    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
-        panic!()
-    };
-    assert_eq!(pulse.half_width_deg, 21.0);
+    assert_eq!(pulse(&app).half_width_deg, 21.0);
 }
 
 #[test]
@@ -344,26 +344,14 @@ fn marks_are_simulated_one_after_another() {
     let mut app = app();
     let effects = press(&mut app, "\x1b4j j ");
     let (first, _) = asked::<SimulateMarked>(&effects).unwrap();
-    let done = |app: &mut App, ticket| {
-        let answer = simulate(
-            &app.model.work.scenario.check().unwrap(),
-            Keep::default(),
-            &mut unwatched,
-        );
-        let report = Report::done::<SimulateMarked>(ticket, answer);
-        update(app, Message::News(report))
-    };
-    let effects = done(&mut app, first);
+    let answer = simulated(&app);
+    let effects = done::<SimulateMarked>(&mut app, first, answer.clone());
     let (second, _) = asked::<SimulateMarked>(&effects).unwrap();
     // Mesh errors and inputs follow once all are there.
-    let effects = done(&mut app, second);
+    let effects = done::<SimulateMarked>(&mut app, second, answer);
     assert!(asked::<CompleteMarked>(&effects).is_some());
-    assert!(
-        app.state::<Comparison>()
-            .entries
-            .iter()
-            .all(|e| e.answer().is_some())
-    );
+    let mut entries = app.state::<Comparison>().entries.iter();
+    assert!(entries.all(|entry| entry.answer().is_some()));
 }
 
 #[test]
@@ -425,12 +413,8 @@ fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
     let mut app = app();
     app.model.work.source = format!("/some/where/{}.ron", "x".repeat(90));
     assert!(app.model.title().starts_with("xxx"));
-    let tabs = crate::tui::app::frame::tabs(&app, 100);
-    assert!(
-        tabs.iter().all(|(_, label)| label.len() > 3),
-        "{}",
-        tabs.len()
-    );
+    let tabs = tabs(&app, 100);
+    assert!(tabs.iter().all(|(_, label)| label.len() > 3));
     app.model.work.source = "a/b/".to_owned();
     assert_eq!(app.model.title(), "b");
 }
@@ -439,7 +423,7 @@ fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
 fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     let mut app = app();
     app.model.guest = true;
-    app.model.form.selected = FormRow::Field(fields::find("window_ms").unwrap());
+    app.model.form.selected = row("window_ms");
     // By steps, by typing, and by whatever else brings a scenario.
     press(&mut app, &"L".repeat(30));
     assert_eq!(app.model.work.scenario.window_ms, Some(20.0));
@@ -447,16 +431,7 @@ fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     for keys in ["\r\x1521", "\r"] {
         press(&mut app, keys);
         assert_eq!(app.model.work.scenario.window_ms, Some(20.0));
-        let error = app
-            .model
-            .form
-            .typing
-            .as_ref()
-            .unwrap()
-            .error
-            .as_ref()
-            .unwrap();
-        assert!(error.contains("not for guests"), "{error}");
+        assert!(wrong(&app).contains("not for guests"), "{}", wrong(&app));
     }
     press(&mut app, "\x1b");
     let mut fine = app.model.work.clone();
@@ -524,19 +499,15 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     let hers = "hers".to_owned();
     assert_eq!(effects, [Effect::Rename(name.clone(), hers.clone())]);
     update(&mut app, Message::Renamed(name, hers.clone(), Ok(())));
-    assert_eq!(
-        (&app.model.work.source, &app.model.work.scenario.name),
-        (&hers, &hers)
-    );
+    let work = &app.model.work;
+    assert_eq!((&work.source, &work.scenario.name), (&hers, &hers));
     assert!(!app.model.is_edited());
     // No leaves it, and leads back to the list.
     assert_eq!(press(&mut app, &format!("{delete}n")), []);
     let effects = press(&mut app, &format!("{delete}y"));
     assert_eq!(effects, [Effect::Remove(hers.clone())]);
-    update(
-        &mut app,
-        Message::Removed(hers.clone(), Ok("its text".to_owned())),
-    );
+    let removed = Message::Removed(hers.clone(), Ok("its text".to_owned()));
+    update(&mut app, removed);
     assert!(app.model.choices.iter().all(|choice| choice.name != hers));
     // What it held is still worked on under its name, and is not lost without a question.
     assert!(app.model.is_edited() && force(&app) == 310.0);
@@ -567,10 +538,8 @@ fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
     press(&mut app, "e-60\r");
     assert!(app.model.overlay.is_some(), "no speed is below 0");
     press(&mut app, "\x1560\r");
-    assert_eq!(
-        (names(&app), force(&app)),
-        (vec!["bb-62@60".to_owned()], 300.0)
-    );
+    assert_eq!(names(&app), ["bb-62@60"]);
+    assert_eq!(force(&app), 300.0);
     let effects = press(&mut app, "e50\r");
     let (_, asked) = asked::<SimulateMarked>(&effects).unwrap();
     let Impact::Projectile(bb) = &asked.scenario.impact else {

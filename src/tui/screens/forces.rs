@@ -1,6 +1,5 @@
 //! Curves over time with axes, and a cursor that reads their values. The cursor is the clock.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
@@ -18,8 +17,8 @@ use crate::tui::step::Step;
 use crate::tui::view::below;
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, mark, value_at};
 use crate::tui::view::raster::Ink;
-use crate::tui::view::text::{put, put_right, width};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::width;
 use strum::VariantArray;
 
 /// Charts that stand together, each with the curves in it.
@@ -162,8 +161,8 @@ const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
 ]);
 
 impl Screen for Forces {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        draw(*self, model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        draw(*self, model, sheet);
     }
 
     fn courses(&self, model: &AppModel) -> Vec<Trace> {
@@ -200,10 +199,10 @@ fn all_views(model: &AppModel) -> Vec<View> {
     traces.map(views).unwrap_or_default()
 }
 
-fn draw(forces: Forces, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn draw(forces: Forces, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let Some(shown) = &model.shown else {
-        put(buffer, area, (1, 1), "no result yet", theme.text());
+        sheet.put((1, 1), "no result yet", theme.text());
         return;
     };
     let time = model.time();
@@ -226,8 +225,8 @@ fn draw(forces: Forces, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     if let Some(peak) = peak_said(&shown.answer, time, |peak| width(peak) < room) {
         text.extend(["  ", &peak]);
     }
-    put(buffer, area, (0, 0), &text, theme.strong());
-    put_right(buffer, area, (area.width - 1, 0), &said, style);
+    sheet.put((0, 0), &text, theme.strong());
+    sheet.put_right((area.width - 1, 0), &said, style);
     let (Some(traces), Some(view)) = (&shown.answer.run.traces, view) else {
         return;
     };
@@ -246,7 +245,13 @@ fn draw(forces: Forces, model: &AppModel, area: Rect, buffer: &mut Buffer) {
             wide - 1,
             high,
         );
-        chart(model, forces.zoom, (shown, traces), curves, place, buffer);
+        chart(
+            model,
+            forces.zoom,
+            (shown, traces),
+            curves,
+            &mut sheet.at(place),
+        );
     }
 }
 
@@ -255,10 +260,9 @@ fn chart(
     zoom: Zoom,
     (shown, traces): (&ShownAnswer, &Traces),
     courses: &[Trace],
-    area: Rect,
-    buffer: &mut Buffer,
+    sheet: &mut Sheet,
 ) {
-    let theme = Theme::of(model.look);
+    let (area, theme) = (sheet.area, sheet.theme);
     let time = model.time();
     // A curve by itself keeps its colour in every view.
     let first = match courses {
@@ -325,9 +329,8 @@ fn chart(
         curves,
         span: zoom.span(active, window, time),
         cursor: time,
-        look: model.look,
     }
-    .draw(field, buffer);
+    .draw(&mut sheet.at(field));
     if courses.len() > 1 {
         let each = entries.len().div_ceil(usize::from(lines));
         let mut x = LEGEND;
@@ -336,7 +339,7 @@ fn chart(
                 x = LEGEND;
             }
             let y = (i / each) as u16;
-            x = put(buffer, area, (x, y), text, theme.curve(i)) + 2;
+            x = sheet.put((x, y), text, theme.curve(i)) + 2;
         }
     }
 }

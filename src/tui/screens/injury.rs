@@ -1,6 +1,5 @@
 //! The risk of each injury beside the paper's index: a row an injury, the chosen one explained.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::injury::{Injury, in_short};
@@ -17,10 +16,8 @@ use crate::tui::view::below;
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::fundus::Fundus;
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
-use crate::tui::view::text::{
-    flag_lines, put, put_lines, put_right, whole_sentences, width, wrapped,
-};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
 
 /// Columns that the screen takes at most: longer bars are no easier to read.
 const WIDEST: u16 = 120;
@@ -56,81 +53,72 @@ const KEYS: PaneKeys<Injuries> = PaneKeys::new("Injury", &[
 ]);
 
 impl Screen for Injuries {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        let area = sheet.area;
         let rest = area.width.saturating_sub(WIDEST + 1);
         let right = Rect::new(area.right() - rest, area.y, rest, area.height);
-        let area = Rect {
+        if let (Some(shown), PICTURED..) = (&model.shown, rest) {
+            pictured(self.row, model, shown, &mut sheet.at(right));
+        }
+        let sheet = &mut sheet.at(Rect {
             width: area.width.min(WIDEST),
             ..area
-        };
-        if let (Some(shown), PICTURED..) = (&model.shown, rest) {
-            pictured(self.row, model, shown, right, buffer);
-        }
+        });
         match &model.shown {
-            Some(shown) if self.fundus => fundus(model, shown, area, buffer),
-            Some(shown) => draw(self.row, model, shown, area, buffer),
+            Some(shown) if self.fundus => fundus(shown, sheet),
+            Some(shown) => draw(self.row, model, shown, sheet),
             None => {
-                put(
-                    buffer,
-                    area,
-                    (1, 1),
-                    "no result yet",
-                    Theme::of(model.look).text(),
-                );
+                sheet.put((1, 1), "no result yet", sheet.theme.text());
             }
         }
     }
 }
 
 /// Draws the eye when the tissue of the chosen injury felt most.
-fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
+fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+    let area = sheet.area;
     let injury = Injury::ALL.get(row);
     let peak = injury.and_then(|injury| shown.answer.peak(injury.measure()));
     let time = peak.map_or(model.time(), |peak| peak.time);
     let height = area.height.min(area.width / 2);
-    EyePicture::of(model, shown, time).draw(Rect { height, ..area }, buffer);
+    EyePicture::of(model, shown, time).draw(Rect { height, ..area }, sheet.buffer);
 }
 
 /// Said where every hour feels the same.
 const ROUND: &str = "Straight on the eye is round here: every hour feels the same. Turn the blow, \
     or set numerics.geometry to Full.";
 
-fn fundus(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    draw_signs(theme, area, buffer);
-    let area = Rect {
+fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
+    draw_signs(sheet);
+    let area = sheet.area;
+    let sheet = &mut sheet.at(Rect {
         height: area.height.saturating_sub(SIGN_ROWS),
         ..area
-    };
+    });
     let Some(sectors) = &shown.answer.run.sectors else {
         let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
-        put_lines(buffer, area, (1, 1), &lines, theme.text());
+        sheet.put_lines((1, 1), &lines, sheet.theme.text());
         return;
     };
     let side = shown.scenario.eye_side();
-    let look = model.look;
-    Fundus {
-        sectors,
-        side,
-        look,
-    }
-    .draw(area, buffer);
+    Fundus { sectors, side }.draw(sheet);
 }
 
-fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let room = usize::from(area.width.saturating_sub(2));
-    let used = above(model, shown, area, buffer);
-    draw_signs(theme, area, buffer);
-    let area = Rect {
-        height: area.height.saturating_sub(SIGN_ROWS),
+    let used = above(model, shown, sheet);
+    draw_signs(sheet);
+    let sheet = &mut sheet.at(Rect {
+        y: area.y + used,
+        height: area.height.saturating_sub(SIGN_ROWS + used),
         ..area
-    };
-    let area = below(area, used);
+    });
+    let area = sheet.area;
     let risks = shown.answer.risks();
     let Some(risk) = risks.get(row) else {
         let silence = wrapped(&first_line(&shown.answer), room);
-        put_lines(buffer, area, (1, 1), &silence, theme.text());
+        sheet.put_lines((1, 1), &silence, theme.text());
         return;
     };
     let count = risks.len() as u16;
@@ -140,16 +128,10 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
         1
     };
     let heading = ("80 % ranges", theme.heading());
-    rows(
-        (model, &shown.answer),
-        heading,
-        (Some(row), each),
-        area,
-        buffer,
-    );
-    let foot = below(area, 1 + each * count);
-    for x in 0..foot.width {
-        put(buffer, foot, (x, 0), "─", theme.line());
+    rows(&shown.answer, heading, (Some(row), each), sheet);
+    let foot = &mut sheet.at(below(area, 1 + each * count));
+    for x in 0..foot.area.width {
+        foot.put((x, 0), "─", theme.line());
     }
     // What is believed comes first, and last what does not count here.
     let mut sentences = vec![format!("{}: {}", risk.injury.name(), risk.words())];
@@ -170,19 +152,19 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &
         ));
     }
     let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
-    let rows = usize::from(foot.height.saturating_sub(1));
+    let rows = usize::from(foot.area.height.saturating_sub(1));
     if wrapped(&sentences[..2].join(" "), room).len() > rows {
         for note in &risk.notes {
             sentences[0] = sentences[0].replace(note, in_short(note));
         }
     }
     let said = whole_sentences(&sentences, room, rows);
-    put_lines(buffer, foot, (1, 1), &said, theme.text());
+    foot.put_lines((1, 1), &said, theme.text());
 }
 
 /// The paper's index, the flags and what the screen asks; gives the rows taken.
-fn above(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) -> u16 {
-    let theme = Theme::of(model.look);
+fn above(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
+    let (area, theme) = (sheet.area, sheet.theme);
     let figure = Figure::of(&shown.answer, Quantity::Damage);
     let figure = figure.map_or_else(String::new, |figure| figure.to_string());
     let (index, style) = match unusable(&shown.answer) {
@@ -192,19 +174,19 @@ fn above(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer)
     let room = usize::from(area.width.saturating_sub(2));
     let index = wrapped(&index, room);
     let end = 1 + index.last().map_or(0, |line| width(line));
-    put_lines(buffer, area, (1, 0), &index, style);
+    sheet.put_lines((1, 0), &index, style);
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
         None => (ABOUT.question, theme.heading()),
     };
     if end + width(right) + 2 < area.width {
-        put_right(buffer, area, (area.width - 1, last), right, style);
+        sheet.put_right((area.width - 1, last), right, style);
     }
     let mut flags = flag_lines(&shown.answer.flags, room, 2);
     if flags.len() < 2 {
         flags.extend(counting(model, &shown.answer));
     }
-    put_lines(buffer, area, (1, last + 1), &flags, theme.warning());
+    sheet.put_lines((1, last + 1), &flags, theme.warning());
     last + 1 + flags.len() as u16
 }

@@ -2,8 +2,6 @@
 
 use std::marker::PhantomData;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::report::figure::at_a_moment;
@@ -13,9 +11,7 @@ use crate::report::picture::front::seen;
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::run::result_trace::Group;
-use crate::run::trace::OtherTrace;
-use crate::run::trace::TRACES;
-use crate::run::trace::Trace;
+use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::tui::clock::{MeshDetail, peak_said};
 use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
@@ -30,8 +26,8 @@ use crate::tui::view::eye::EyePicture;
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::picture::{NAMED, swatch};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{longest_fitting, put, put_right, width, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::{Sheet, along};
+use crate::tui::view::text::{longest_fitting, width, wrapped};
 
 /// Rows from which on each part has a line of its own.
 const TALL: u16 = 30;
@@ -81,8 +77,8 @@ impl<S: Screen> FrameKeys<S> {
 }
 
 impl Screen for Replay {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        draw(self.front, model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        draw(self.front, model, sheet);
     }
 }
 
@@ -111,15 +107,13 @@ fn change_field(model: &mut AppModel) {
     model.clock.change_field(hit);
 }
 
-fn draw(front: bool, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn draw(front: bool, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let Some(shown) = &model.shown else {
-        put(buffer, area, (1, 1), "no result yet", theme.text());
+        sheet.put((1, 1), "no result yet", theme.text());
         return;
     };
-    let bar = Rect::new(area.x, area.y + area.height - 3, area.width, 3);
-    let picture = Rect::new(area.x, area.y, area.width - SIDE, area.height - 3);
-    let side = Rect::new(area.x + picture.width, area.y, SIDE, picture.height);
+    let (wide, high) = (area.width - SIDE, area.height - 3);
     let drawn = EyePicture {
         blow: Some(&shown.scenario),
         front,
@@ -127,56 +121,40 @@ fn draw(front: bool, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     };
     let anatomy = drawn.detail == MeshDetail::Anatomy;
     // What reaches the edge does not touch the legend.
-    let field = Rect {
-        width: picture.width - 1,
-        ..picture
-    };
-    drawn.draw(field, buffer);
+    let field = sheet.part((0, 0), (wide - 1, high));
+    drawn.draw(field.area, field.buffer);
     if model.clock.zoom() > 1 && !anatomy {
         let text = format!(" motion shown {}x larger ", model.clock.zoom());
-        put(buffer, picture, (2, 0), &text, theme.warning());
+        sheet.put((2, 0), text, theme.warning());
     }
     if let Some(why) = model.stale() {
         let text = format!(" {why} ");
-        put(
-            buffer,
-            picture,
-            (0, picture.height - 2),
-            &text,
-            theme.warning(),
-        );
+        sheet.put((0, high - 2), text, theme.warning());
     }
-    side_panel(model, shown, anatomy.then_some(front), side, buffer);
-    time_bar(model, shown, bar, buffer);
+    let front = anatomy.then_some(front);
+    side_panel(
+        model,
+        shown,
+        front,
+        &mut sheet.part((wide, 0), (SIDE, high)),
+    );
+    time_bar(model, shown, &mut sheet.part((0, high), (area.width, 3)));
 }
 
-fn side_panel(
-    model: &AppModel,
-    shown: &ShownAnswer,
-    anatomy: Option<bool>,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
+fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let time = model.time();
     let mut y = 0;
-    let ascii = model.look.symbols == Symbols::Ascii;
     if let Some(front) = anatomy {
-        parts(front, (model, shown), area, &mut y, buffer);
+        parts(front, (model, shown), &mut y, sheet);
     } else {
-        put(buffer, area, (0, y), "Node force", theme.heading());
-        put_right(
-            buffer,
-            area,
-            (area.width - 1, y),
-            "e: anatomy",
-            theme.quiet(),
-        );
+        sheet.put((0, y), "Node force", theme.heading());
+        sheet.put_right((area.width - 1, y), "e: anatomy", theme.quiet());
         y += 1;
-        legend((shown.hottest, "N"), (theme, ascii), area, &mut y, buffer);
+        legend(shown.hottest, &mut y, sheet);
     }
     let traces = shown.answer.run.traces.as_ref();
-    put(buffer, area, (0, y), "Now", theme.heading());
+    sheet.put((0, y), "Now", theme.heading());
     y += 1;
     let forces = TRACES.iter().copied();
     let forces = forces.filter(|course| course.row().place.0 == Group::NodeForces);
@@ -191,8 +169,8 @@ fn side_panel(
             Trace::Of(of) if width(label) + width(&text) + 1 >= area.width => of.row().short,
             _ => label,
         };
-        put(buffer, area, (0, y), label, theme.text());
-        put_right(buffer, area, (area.width - 1, y), &text, theme.strong());
+        sheet.put((0, y), label, theme.text());
+        sheet.put_right((area.width - 1, y), &text, theme.strong());
         y += 1;
     }
     let unverified = !unverified(&shown.scenario).is_empty();
@@ -202,28 +180,22 @@ fn side_panel(
     let fits = |text: &str| wrapped(text, room).len() <= rows;
     let peak = peak_said(&shown.answer, time, fits).unwrap_or_default();
     for line in wrapped(&peak, room) {
-        put(buffer, area, (0, y), &line, theme.cursor());
+        sheet.put((0, y), &line, theme.cursor());
         y += 1;
     }
     if unverified && y + 1 < area.height {
         let at = (0, area.height - 2);
-        put(buffer, area, at, "? unverified figures", theme.warning());
+        sheet.put(at, "? unverified figures", theme.warning());
     }
     let material = model.material();
-    put(buffer, area, (0, area.height - 1), material, theme.quiet());
+    sheet.put((0, area.height - 1), material, theme.quiet());
 }
 
 /// The parts of the anatomy that are seen, each with its colour.
-fn parts(
-    front: bool,
-    (model, shown): (&AppModel, &ShownAnswer),
-    area: Rect,
-    y: &mut u16,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
-    put(buffer, area, (0, *y), "What you see", theme.heading());
-    put_right(buffer, area, (area.width - 1, *y), "e: mesh", theme.quiet());
+fn parts(front: bool, (model, shown): (&AppModel, &ShownAnswer), y: &mut u16, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    sheet.put((0, *y), "What you see", theme.heading());
+    sheet.put_right((area.width - 1, *y), "e: mesh", theme.quiet());
     *y += 1;
     let hit = shown.drawing.object.is_some();
     let more = [
@@ -257,10 +229,10 @@ fn parts(
         if x > 0 && (tall || x + wide > area.width) {
             (x, *y) = (0, *y + 1);
         }
-        put(buffer, area, (x, *y), &sign, style);
+        sheet.put((x, *y), &sign, style);
         for (i, line) in lines.iter().enumerate() {
             *y += u16::from(i > 0);
-            put(buffer, area, (x + 2, *y), line, theme.text());
+            sheet.put((x + 2, *y), line, theme.text());
         }
         x += wide;
     }
@@ -269,35 +241,22 @@ fn parts(
         *y += 1;
         return;
     }
-    let dots = if model.look.symbols == Symbols::Ascii {
-        "::"
-    } else {
-        "⠒⠒"
-    };
-    let x = put(buffer, area, (0, *y), dots, theme.quiet());
-    put(buffer, area, (x, *y), " at rest", theme.text());
-    put_right(
-        buffer,
-        area,
-        (area.width - 1, *y),
-        "c: field",
-        theme.quiet(),
-    );
+    let ascii = model.look.symbols == Symbols::Ascii;
+    let dots = if ascii { "::" } else { "⠒⠒" };
+    let x = sheet.put((0, *y), dots, theme.quiet());
+    sheet.put((x, *y), " at rest", theme.text());
+    sheet.put_right((area.width - 1, *y), "c: field", theme.quiet());
     *y += 2;
 }
 
 /// Steps of force with their colours, and the parts of the eye with theirs.
-fn legend(
-    (largest, unit): (f64, &str),
-    (theme, ascii): (Theme, bool),
-    area: Rect,
-    y: &mut u16,
-    buffer: &mut Buffer,
-) {
+fn legend(largest: f64, y: &mut u16, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let ascii = theme.look.symbols == Symbols::Ascii;
     let steps = thresholds(largest, theme.heat_steps());
     let mut x = 0;
     for (i, force) in steps.iter().enumerate().rev() {
-        let text = format!(">{force}{unit} ");
+        let text = format!(">{force}N ");
         let wide = text.len() as u16 + 1;
         if x + wide > area.width {
             x = 0;
@@ -309,41 +268,32 @@ fn legend(
         } else {
             "█".to_owned()
         };
-        x = put(buffer, area, (x, *y), &sign, style);
-        x = put(buffer, area, (x, *y), &text, theme.text());
+        x = sheet.put((x, *y), &sign, style);
+        x = sheet.put((x, *y), &text, theme.text());
     }
     if let Some(least) = steps.first() {
         // What is colder has the colour of its part.
-        let short = format!("<{least}{unit}");
+        let short = format!("<{least}N");
         let texts = [format!("{short}: by part"), short, String::new()];
         let text = longest_fitting(&texts, area.width.saturating_sub(x));
-        put(buffer, area, (x, *y), text, theme.quiet());
+        sheet.put((x, *y), text, theme.quiet());
     }
     *y += 1;
-    put(buffer, area, (0, *y), "C F R T: nodes below", theme.quiet());
+    sheet.put((0, *y), "C F R T: nodes below", theme.quiet());
     *y += 1;
     let parts = [
-        (Region::Shell, "shell", "━"),
-        (Region::Retina, "retina", "█"),
-        (Region::Lens, "lens", "━"),
-        (Region::Interior, "globe", "╌"),
-        (Region::Fat, "fat", "·"),
-        (Region::Orbit, "orbit", "━"),
+        (Region::Shell, "shell", ["━", "o"]),
+        (Region::Retina, "retina", ["█", "R"]),
+        (Region::Lens, "lens", ["━", "l"]),
+        (Region::Interior, "globe", ["╌", "."]),
+        (Region::Fat, "fat", ["·", ","]),
+        (Region::Orbit, "orbit", ["━", "#"]),
     ];
-    for (i, (region, name, mut sign)) in parts.into_iter().enumerate() {
-        if ascii {
-            sign = match region {
-                Region::Shell => "o",
-                Region::Retina => "R",
-                Region::Lens => "l",
-                Region::Interior => ".",
-                Region::Fat => ",",
-                Region::Orbit => "#",
-            };
-        }
+    for (i, (region, name, signs)) in parts.into_iter().enumerate() {
+        let sign = signs[usize::from(ascii)];
         let x = (i as u16 % 3) * 8;
-        let after = put(buffer, area, (x, *y), sign, theme.region(region));
-        put(buffer, area, (after, *y), name, theme.text());
+        let after = sheet.put((x, *y), sign, theme.region(region));
+        sheet.put((after, *y), name, theme.text());
         if i % 3 == 2 {
             *y += 1;
         }
@@ -351,8 +301,8 @@ fn legend(
 }
 
 /// Time from 0 to the end of the window, with the pulse drawn in it.
-fn time_bar(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn time_bar(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let time = model.time();
     let window = shown.answer.window();
     let state = if model.clock.playing {
@@ -361,16 +311,16 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buff
         "paused"
     };
     let text = format!("{:.3} of {} ms", time * 1e3, significant(window * 1e3));
-    let end = put(buffer, area, (1, 0), &text, theme.strong());
+    let end = sheet.put((1, 0), &text, theme.strong());
     let rest = format!(
         "  {state}  {} ms/s  {}",
         model.clock.speed(),
         model.clock.detail(shown.drawing.object.is_some()).name()
     );
-    put(buffer, area, (end, 0), &rest, theme.text());
-    let field = Rect::new(area.x + 1, area.y + 1, area.width - 2, 2);
+    sheet.put((end, 0), &rest, theme.text());
+    let field = &mut sheet.part((1, 1), (area.width - 2, 2));
     if let Some(traces) = &shown.answer.run.traces {
-        let mut raster = Raster::new(field, model.look.symbols);
+        let mut raster = Raster::new(field.area, model.look.symbols);
         let curve = TimeCurve {
             time: &traces.time,
             values: Trace::Other(OtherTrace::Drive).values(traces),
@@ -378,10 +328,9 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buff
             ink: Ink::solid(theme.load(), 1, '#'),
         };
         crate::tui::view::chart::fill(&mut raster, curve, window);
-        raster.paint(buffer);
+        raster.paint(field.buffer);
     }
-    let last = f64::from(field.width - 1);
-    let x = ((time / window).clamp(0.0, 1.0) * last).round() as u16;
-    put(buffer, field, (x, 0), "│", theme.cursor());
-    put(buffer, field, (x, 1), "▲", theme.cursor());
+    let x = along((time / window).clamp(0.0, 1.0), field.area.width);
+    field.put((x, 0), "│", theme.cursor());
+    field.put((x, 1), "▲", theme.cursor());
 }

@@ -4,21 +4,17 @@
 use std::any::Any;
 
 use crossterm::event::KeyEvent;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::run::trace::Trace;
 use crate::scenario::Scenario;
-use crate::tui::keys::Binding;
-use crate::tui::keys::Key;
-use crate::tui::keys::KeyList;
-use crate::tui::keys::KeyTable;
-use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::Press;
+use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
 use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
 use crate::tui::step::Step;
+use crate::tui::view::sheet::Sheet;
 use crate::tui::work::Work;
 
 /// What there is to know of a screen before it is opened.
@@ -47,7 +43,7 @@ pub enum Mouse {
 /// A screen: a component with its own state.
 pub trait Screen: Keyed + Any {
     /// Draws it into the space between title and footer.
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet);
 
     /// The place of the pane with the focus.
     fn pane(&self) -> usize {

@@ -103,79 +103,50 @@ pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> S
 mod tests {
     use super::*;
 
-    type Case<'a> = (ColorFlag, &'a [(&'a str, &'a str)], Option<Depth>);
-
-    fn chosen(flag: ColorFlag, set: &[(&str, &str)]) -> Option<Depth> {
-        depth(flag, |name| {
-            let found = set.iter().find(|(known, _)| *known == name);
-            found.map(|(_, value)| (*value).to_owned())
-        })
+    /// What is set by words such as `TERM=xterm`.
+    fn env(set: &str) -> impl Fn(&str) -> Option<String> + '_ {
+        move |name| {
+            let mut all = set.split(' ').filter_map(|word| word.split_once('='));
+            let found = all.find(|(known, _)| *known == name);
+            found.map(|(_, value)| value.to_owned())
+        }
     }
 
     #[test]
     fn colours_follow_the_flag_then_no_color_then_the_terminal() {
         use ColorFlag::{Auto, Never, Sixteen, TwoFiveSix};
-        let cases: &[Case] = &[
-            (Auto, &[], Some(Depth::Sixteen)),
-            (Auto, &[("TERM", "xterm")], Some(Depth::Sixteen)),
-            (Auto, &[("TERM", "xterm-256color")], Some(Depth::TwoFiveSix)),
-            (Auto, &[("TERM", "tmux")], Some(Depth::TwoFiveSix)),
-            (Auto, &[("TERM", "xterm-direct")], Some(Depth::TwoFiveSix)),
-            (
-                Auto,
-                &[("TERM", "xterm"), ("COLORTERM", "truecolor")],
-                Some(Depth::TwoFiveSix),
-            ),
-            (Auto, &[("TERM", "vt220")], Some(Depth::Mono)),
-            (
-                Auto,
-                &[("TERM", "xterm-256color"), ("NO_COLOR", "1")],
-                Some(Depth::Mono),
-            ),
-            (
-                Auto,
-                &[("TERM", "xterm"), ("NO_COLOR", "")],
-                Some(Depth::Sixteen),
-            ),
-            (
-                TwoFiveSix,
-                &[("TERM", "xterm"), ("NO_COLOR", "1")],
-                Some(Depth::TwoFiveSix),
-            ),
-            (Never, &[("TERM", "kitty")], Some(Depth::Mono)),
-            (Sixteen, &[("TERM", "dumb")], None),
-        ];
-        for (flag, env, expected) in cases {
-            assert_eq!(chosen(*flag, env), *expected, "{flag:?} {env:?}");
+        let (few, many) = (Some(Depth::Sixteen), Some(Depth::TwoFiveSix));
+        for (flag, set, expected) in [
+            (Auto, "", few),
+            (Auto, "TERM=xterm", few),
+            (Auto, "TERM=xterm-256color", many),
+            (Auto, "TERM=tmux", many),
+            (Auto, "TERM=xterm-direct", many),
+            (Auto, "TERM=xterm COLORTERM=truecolor", many),
+            (Auto, "TERM=vt220", Some(Depth::Mono)),
+            (Auto, "TERM=xterm-256color NO_COLOR=1", Some(Depth::Mono)),
+            (Auto, "TERM=xterm NO_COLOR=", few),
+            (TwoFiveSix, "TERM=xterm NO_COLOR=1", many),
+            (Never, "TERM=kitty", Some(Depth::Mono)),
+            (Sixteen, "TERM=dumb", None),
+        ] {
+            assert_eq!(depth(flag, env(set)), expected, "{flag:?} {set}");
         }
     }
 
     #[test]
-    fn braille_is_left_out_where_the_font_lacks_it() {
-        let by_term = |term: &str| symbols(None, |name| (name == "TERM").then(|| term.to_owned()));
-        assert_eq!(by_term("linux"), Symbols::Block);
-        assert_eq!(by_term("vt100"), Symbols::Ascii);
-        assert_eq!(by_term("xterm"), Symbols::Braille);
-        assert_eq!(symbols(Some(Symbols::Ascii), |_| None), Symbols::Ascii);
-    }
-
-    #[test]
-    fn a_locale_without_utf_8_gets_ascii() {
-        let by = |set: &[(&str, &str)]| {
-            symbols(None, |name| {
-                let found = set.iter().find(|(known, _)| *known == name);
-                found.map(|(_, value)| (*value).to_owned())
-            })
-        };
-        assert_eq!(
-            by(&[("LC_ALL", "C"), ("LANG", "en_US.UTF-8")]),
-            Symbols::Ascii
-        );
-        assert_eq!(by(&[("LC_ALL", ""), ("LANG", "POSIX")]), Symbols::Ascii);
-        assert_eq!(by(&[("LC_ALL", "C.UTF-8")]), Symbols::Braille);
-        assert_eq!(
-            by(&[("LC_CTYPE", "de_DE.utf8"), ("LANG", "C")]),
-            Symbols::Braille
-        );
+    fn braille_is_left_out_where_the_font_lacks_it_or_the_locale_is_not_in_utf_8() {
+        for (set, expected) in [
+            ("TERM=linux", Symbols::Block),
+            ("TERM=vt100", Symbols::Ascii),
+            ("TERM=xterm", Symbols::Braille),
+            ("LC_ALL=C LANG=en_US.UTF-8", Symbols::Ascii),
+            ("LC_ALL= LANG=POSIX", Symbols::Ascii),
+            ("LC_ALL=C.UTF-8", Symbols::Braille),
+            ("LC_CTYPE=de_DE.utf8 LANG=C", Symbols::Braille),
+        ] {
+            assert_eq!(symbols(None, env(set)), expected, "{set}");
+        }
+        assert_eq!(symbols(Some(Symbols::Ascii), env("")), Symbols::Ascii);
     }
 }

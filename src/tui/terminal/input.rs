@@ -164,10 +164,10 @@ fn parse(held: &[u8]) -> Parsed {
         // Two presses of Escape, or Escape before a sequence.
         [0x1b, 0x1b, ..] => Parsed::Found(1, key(KeyCode::Esc, KeyModifiers::NONE)),
         [0x1b, rest @ ..] => match character(rest) {
-            Parsed::Found(used, TerminalInput::Key(event)) => Parsed::Found(
-                used + 1,
-                key(event.code, event.modifiers | KeyModifiers::ALT),
-            ),
+            Parsed::Found(used, TerminalInput::Key(event)) => {
+                let held = event.modifiers | KeyModifiers::ALT;
+                Parsed::Found(used + 1, key(event.code, held))
+            }
             other => other,
         },
         _ => character(held),
@@ -176,20 +176,15 @@ fn parse(held: &[u8]) -> Parsed {
 
 fn character(held: &[u8]) -> Parsed {
     let found = |code, modifiers| Parsed::Found(1, key(code, modifiers));
+    let ctrl = |byte| found(KeyCode::Char(char::from(byte)), KeyModifiers::CONTROL);
     let none = KeyModifiers::NONE;
     match held[0] {
         b'\r' | b'\n' => found(KeyCode::Enter, none),
         b'\t' => found(KeyCode::Tab, none),
         0x7f | 0x08 => found(KeyCode::Backspace, none),
-        0 => found(KeyCode::Char(' '), KeyModifiers::CONTROL),
-        byte @ 1..=26 => found(
-            KeyCode::Char(char::from(byte - 1 + b'a')),
-            KeyModifiers::CONTROL,
-        ),
-        byte @ 0x1c..=0x1f => found(
-            KeyCode::Char(char::from(byte - 0x1c + b'4')),
-            KeyModifiers::CONTROL,
-        ),
+        0 => ctrl(b' '),
+        byte @ 1..=26 => ctrl(byte - 1 + b'a'),
+        byte @ 0x1c..=0x1f => ctrl(byte - 0x1c + b'4'),
         byte @ 0x20..=0x7e => found(KeyCode::Char(char::from(byte)), none),
         byte => {
             let length = match byte {
@@ -205,10 +200,8 @@ fn character(held: &[u8]) -> Parsed {
                     Parsed::Dropped(1)
                 };
             };
-            match std::str::from_utf8(bytes)
-                .ok()
-                .and_then(|s| s.chars().next())
-            {
+            let text = std::str::from_utf8(bytes).unwrap_or_default();
+            match text.chars().next() {
                 Some(c) => Parsed::Found(length, key(KeyCode::Char(c), none)),
                 None => Parsed::Dropped(1),
             }
@@ -226,15 +219,7 @@ fn csi(rest: &[u8]) -> Parsed {
         return Parsed::Dropped(broken + 2);
     }
     let used = end + 3;
-    let numbers: Option<Vec<u8>> = std::str::from_utf8(&rest[..end]).ok().map(|text| {
-        text.split(';')
-            .map(|part| part.parse().unwrap_or(0))
-            .collect()
-    });
-    let private = rest
-        .first()
-        .is_some_and(|byte| (0x3c..=0x3f).contains(byte));
-    let numbers = numbers.unwrap_or_default();
+    let private = (0x3c..=0x3f).contains(&rest[0]);
     if private {
         let report = rest[..end].strip_prefix(b"<");
         let event = report.and_then(|numbers| mouse::report(numbers, rest[end]));
@@ -243,6 +228,9 @@ fn csi(rest: &[u8]) -> Parsed {
             None => Parsed::Dropped(used),
         };
     }
+    let text = String::from_utf8_lossy(&rest[..end]);
+    let numbers = text.split(';').map(|part| part.parse().unwrap_or(0));
+    let numbers: Vec<u8> = numbers.collect();
     let modifiers = numbers.get(1).map_or(KeyModifiers::NONE, |&n| held_keys(n));
     let code = match (rest[end], numbers.first()) {
         // A report has a row and a column; F3 with modifiers looks the same and is given up.
@@ -263,17 +251,14 @@ fn csi(rest: &[u8]) -> Parsed {
 /// The modifiers of `ESC [ 1 ; n A`.
 fn held_keys(number: u8) -> KeyModifiers {
     let bits = number.saturating_sub(1);
-    let mut held = KeyModifiers::NONE;
-    for (bit, modifier) in [
-        (1, KeyModifiers::SHIFT),
-        (2, KeyModifiers::ALT),
-        (4, KeyModifiers::CONTROL),
-    ] {
-        if bits & bit != 0 {
-            held |= modifier;
-        }
-    }
-    held
+    let all = [
+        KeyModifiers::SHIFT,
+        KeyModifiers::ALT,
+        KeyModifiers::CONTROL,
+    ];
+    let held = all.into_iter().enumerate();
+    let held = held.filter(|(bit, _)| bits >> bit & 1 == 1);
+    held.map(|(_, modifier)| modifier).collect()
 }
 
 fn function_key(last: u8) -> Option<KeyCode> {
@@ -322,28 +307,26 @@ mod tests {
     #[test]
     fn keys_are_read_with_their_modifiers() {
         let shift = KeyModifiers::SHIFT;
-        assert_eq!(keys(b"a"), [plain(KeyCode::Char('a'))]);
-        assert_eq!(keys("é".as_bytes()), [plain(KeyCode::Char('é'))]);
-        assert_eq!(
-            keys(b"\x1b[A\x1bOB"),
-            [plain(KeyCode::Up), plain(KeyCode::Down)]
-        );
-        assert_eq!(keys(b"\x1b[1;2C"), [key(KeyCode::Right, shift)]);
-        assert_eq!(
-            keys(b"\x1b[5~\x1b[Z"),
-            [plain(KeyCode::PageUp), plain(KeyCode::BackTab)]
-        );
-        assert_eq!(
-            keys(b"\x03"),
-            [key(KeyCode::Char('c'), KeyModifiers::CONTROL)]
-        );
+        let held = |c, modifiers| key(KeyCode::Char(c), modifiers);
         let f = |n| plain(KeyCode::F(n));
-        assert_eq!(
-            keys(b"\x1bOP\x1b[[B\x1b[13~\x1b[17~"),
-            [f(1), f(2), f(3), f(6)]
-        );
-        assert_eq!(keys(b"\x1bx"), [key(KeyCode::Char('x'), KeyModifiers::ALT)]);
-        assert_eq!(keys(b"\r"), [plain(KeyCode::Enter)]);
+        let (up, down) = (plain(KeyCode::Up), plain(KeyCode::Down));
+        let (page, back) = (plain(KeyCode::PageUp), plain(KeyCode::BackTab));
+        for (bytes, expected) in [
+            ("a", vec![plain(KeyCode::Char('a'))]),
+            ("é", vec![plain(KeyCode::Char('é'))]),
+            ("\x1b[A\x1bOB", vec![up, down]),
+            ("\x1b[1;2C", vec![key(KeyCode::Right, shift)]),
+            ("\x1b[5~\x1b[Z", vec![page, back]),
+            ("\x03", vec![held('c', KeyModifiers::CONTROL)]),
+            (
+                "\x1bOP\x1b[[B\x1b[13~\x1b[17~",
+                vec![f(1), f(2), f(3), f(6)],
+            ),
+            ("\x1bx", vec![held('x', KeyModifiers::ALT)]),
+            ("\r", vec![plain(KeyCode::Enter)]),
+        ] {
+            assert_eq!(keys(bytes.as_bytes()), expected, "{bytes:?}");
+        }
     }
 
     #[test]

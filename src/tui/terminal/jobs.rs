@@ -33,9 +33,6 @@ impl Jobs {
     }
 
     /// Hands a request to the thread of its kind.
-    ///
-    /// # Errors
-    /// Where no thread can start.
     pub(super) fn start(&mut self, request: Request) -> io::Result<()> {
         let (send, limit) = (&self.send, self.limit);
         let kind = request.kind();

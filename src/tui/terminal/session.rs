@@ -25,9 +25,6 @@ pub struct Session {
 
 impl Session {
     /// Takes the terminal over; a panic gives it back before it says anything.
-    ///
-    /// # Errors
-    /// Where the terminal refuses.
     pub fn enter() -> io::Result<Self> {
         let (out, spare) = (system::out()?, system::out()?);
         let before = std::panic::take_hook();
@@ -44,9 +41,6 @@ impl Session {
     }
 
     /// Takes the terminal over again.
-    ///
-    /// # Errors
-    /// Where the terminal refuses.
     pub fn resume(&mut self) -> io::Result<()> {
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
@@ -58,9 +52,6 @@ impl Session {
     }
 
     /// Has the mouse reported, or no longer. Says nothing to a terminal that does so already.
-    ///
-    /// # Errors
-    /// Where the terminal is gone.
     pub fn listen_to_mouse(&mut self, listen: bool) -> io::Result<()> {
         if MOUSE.swap(listen, Ordering::SeqCst) == listen {
             return Ok(());
@@ -69,9 +60,6 @@ impl Session {
     }
 
     /// Takes the terminal over again after somebody else may have changed it.
-    ///
-    /// # Errors
-    /// Where the terminal refuses.
     pub fn retake(&mut self) -> io::Result<()> {
         // Raw mode counts as entered already, and would not be entered again.
         disable_raw_mode()?;
@@ -84,9 +72,6 @@ impl Session {
     }
 
     /// Writes a whole frame at once.
-    ///
-    /// # Errors
-    /// Where the terminal is gone.
     pub fn write(&mut self, frame: &[u8]) -> io::Result<()> {
         self.out.write_all(frame)?;
         self.out.flush()

@@ -30,9 +30,6 @@ pub(super) type Out = File;
 const LAST_CALL: Duration = Duration::from_secs(2);
 
 /// Opens what is drawn on.
-///
-/// # Errors
-/// Where there is no terminal.
 pub(super) fn out() -> io::Result<Out> {
     Ok(File::from(io::stdout().as_fd().try_clone_to_owned()?))
 }
@@ -43,9 +40,6 @@ pub(super) fn pacer() -> Pacer {
 }
 
 /// Has the terminal report its mouse, or no longer.
-///
-/// # Errors
-/// Where the terminal is gone.
 pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
     out.write_all(if listen { mouse::ON } else { mouse::OFF })
 }
@@ -61,9 +55,6 @@ const LAST_WORDS: Timespec = Timespec {
 /// Gives the terminal back when the program aborts, as it does when memory runs out: by then no
 /// thread of it runs any more, and nothing can be allocated. `is_entered` says whether there is
 /// anything to give back, and must do no more than that.
-///
-/// # Errors
-/// Where there is no terminal or the system refuses a handler.
 #[expect(
     unsafe_code,
     reason = "no safe call gives a signal handler more to do than to set a flag"
@@ -93,9 +84,6 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
 pub(super) struct Signals(iterator::Signals);
 
 /// Listens to every signal that would end or stop the app and leave the terminal as it is.
-///
-/// # Errors
-/// Where the system refuses.
 pub(super) fn signals() -> io::Result<Signals> {
     let all = [
         SIGWINCH, SIGCONT, SIGXFSZ, SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM,
@@ -104,9 +92,6 @@ pub(super) fn signals() -> io::Result<Signals> {
 }
 
 /// Sends what is typed and which signals come.
-///
-/// # Errors
-/// Where no thread can start.
 pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) -> io::Result<()> {
     let sender = send.clone();
     threads::start(move || {
@@ -161,9 +146,6 @@ fn read_keyboard(send: &SyncSender<Event>) {
 }
 
 /// Stops the process until the shell goes on with it.
-///
-/// # Errors
-/// Where the system refuses.
 pub(super) fn stop() -> io::Result<()> {
     signal_hook::low_level::raise(SIGTSTP)
 }

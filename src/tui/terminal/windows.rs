@@ -16,10 +16,8 @@ use crate::tui::terminal::pacer::Pacer;
 /// Where the app draws: only this handle turns UTF-8 into what a console takes.
 pub(super) type Out = io::Stdout;
 
-/// Opens what is drawn on.
-///
-/// # Errors
-/// Where the console is older than escape sequences (Windows 10 of 2016).
+/// Opens what is drawn on; none where the console is older than escape sequences (Windows 10 of
+/// 2016).
 pub(super) fn out() -> io::Result<Out> {
     if crossterm::ansi_support::supports_ansi() {
         Ok(io::stdout())
@@ -34,9 +32,6 @@ pub(super) fn pacer() -> Pacer {
 }
 
 /// Has the console report its mouse, or no longer.
-///
-/// # Errors
-/// Where the console is gone.
 pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
     if listen {
         crossterm::execute!(out, EnableMouseCapture)
@@ -55,17 +50,11 @@ pub(super) fn restore_on_abort(_is_entered: fn() -> bool) -> io::Result<()> {
 pub(super) struct Signals;
 
 /// There are none.
-///
-/// # Errors
-/// None.
 pub(super) fn signals() -> io::Result<Signals> {
     Ok(Signals)
 }
 
 /// Sends what is typed and when the window changes.
-///
-/// # Errors
-/// Where no thread can start.
 pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
     let send = send.clone();
     threads::start(move || {
@@ -89,9 +78,6 @@ pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
 }
 
 /// Nothing to stop for; no key asks for it.
-///
-/// # Errors
-/// None.
 pub(super) fn stop() -> io::Result<()> {
     Ok(())
 }

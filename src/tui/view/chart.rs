@@ -1,13 +1,12 @@
 //! Curves over time: bare ones for the main screen, and charts with axes.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Borders, Widget};
 
 use crate::report::format::significant;
-use crate::tui::look::Look;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::sheet::{Sheet, along};
+use crate::tui::view::text::width;
 use crate::tui::view::theme::Theme;
 
 /// A curve over time.
@@ -149,25 +148,17 @@ fn zero_line(raster: &mut Raster, (low, high): (f64, f64), theme: Theme) {
 }
 
 /// A curve with its zero line, with a mark at the present moment below it.
-pub fn spark(
-    curve: TimeCurve,
-    span: (f64, f64),
-    now: f64,
-    look: Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(look);
-    let mut raster = Raster::new(area, look.symbols);
+pub fn spark(curve: TimeCurve, span: (f64, f64), now: f64, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let mut raster = Raster::new(area, theme.look.symbols);
     let curves = [curve];
     let range = range(&curves, span);
     zero_line(&mut raster, range, theme);
     plot(&mut raster, &curves, span, range, true);
-    raster.paint(buffer);
+    raster.paint(sheet.buffer);
     let share = ((now - span.0) / (span.1 - span.0)).clamp(0.0, 1.0);
-    let column = (share * f64::from(area.width.saturating_sub(1))).round() as u16;
     if area.height > 0 {
-        let cell = &mut buffer[(area.x + column, area.y + area.height - 1)];
+        let cell = sheet.cell((along(share, area.width.max(1)), area.height - 1));
         if cell.symbol() == " " {
             cell.set_char('▴');
         }
@@ -194,8 +185,6 @@ pub struct TimeChart<'a> {
     pub span: (f64, f64),
     /// The cursor, in s.
     pub cursor: f64,
-    /// How things are drawn.
-    pub look: Look,
 }
 
 /// Room for the numbers of the value axis.
@@ -203,29 +192,33 @@ const LABELS: u16 = 7;
 
 impl TimeChart<'_> {
     /// Draws the chart with its axes, its curves and its cursor.
-    pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
+    pub fn draw(&self, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
         if area.height < 4 || area.width < LABELS + 8 {
             return;
         }
-        let end = put(buffer, area, (LABELS, 0), self.title, theme.heading());
+        let end = sheet.put((LABELS, 0), self.title, theme.heading());
         if end + width(self.reading) < area.width {
-            put_right(buffer, area, (area.width, 0), self.reading, theme.cursor());
+            sheet.put_right((area.width, 0), self.reading, theme.cursor());
         }
-        let field = Rect::new(
-            area.x + LABELS + 1,
-            area.y + 1,
-            area.width - LABELS - 1,
-            area.height - 3,
-        );
+        let size = (area.width - LABELS - 1, area.height - 3);
+        let field = sheet.part((LABELS + 1, 1), size).area;
         let (low, high) = range(&self.curves, self.span);
         let (low, high) = if high > low {
             (low, high)
         } else {
             (low, low + 1.0)
         };
-        self.axes(area, field, (low, high), buffer);
-        let mut raster = Raster::new(field, self.look.symbols);
+        let (first, last) = (self.span.0 * 1e3, self.span.1 * 1e3);
+        let up = ticks(low, high, usize::from(field.height / 3).clamp(2, 6));
+        let up = up
+            .into_iter()
+            .map(|v| ((high - v) / (high - low), tick_label(v)));
+        let across = ticks(first, last, usize::from(field.width / 9).clamp(2, 10));
+        let across = across.into_iter();
+        let across = across.map(|v| ((v - first) / (last - first), tick_label(v)));
+        axes(field, (up, across), 0, sheet);
+        let mut raster = Raster::new(field, theme.look.symbols);
         let (columns, rows) = raster.size();
         let (start, end) = self.span;
         let at = (self.cursor - start) / (end - start) * f64::from(columns - 1);
@@ -235,42 +228,48 @@ impl TimeChart<'_> {
         }
         zero_line(&mut raster, (low, high), theme);
         plot(&mut raster, &self.curves, self.span, (low, high), false);
-        raster.paint(buffer);
-    }
-
-    fn axes(&self, area: Rect, field: Rect, (low, high): (f64, f64), buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
-        let bottom = field.height + 1;
-        axis_lines(field, theme, buffer);
-        for value in ticks(low, high, usize::from(field.height / 3).clamp(2, 6)) {
-            let share = (high - value) / (high - low);
-            let y = 1 + (share * f64::from(field.height - 1)).round() as u16;
-            put_right(buffer, area, (LABELS, y), &tick_label(value), theme.quiet());
-            put(buffer, area, (LABELS, y), "┤", theme.line());
-        }
-        let (start, end) = (self.span.0 * 1e3, self.span.1 * 1e3);
-        let mut free = 0;
-        for value in ticks(start, end, usize::from(field.width / 9).clamp(2, 10)) {
-            let share = (value - start) / (end - start);
-            let x = LABELS + 1 + (share * f64::from(field.width - 1)).round() as u16;
-            let label = tick_label(value);
-            let left = x
-                .saturating_sub(width(&label) / 2)
-                .min(area.width - width(&label));
-            put(buffer, area, (x, bottom), "┬", theme.line());
-            if left >= free && left + width(&label) + 3 <= area.width {
-                free = put(buffer, area, (left, bottom + 1), &label, theme.quiet()) + 1;
-            }
-        }
-        put_right(buffer, area, (area.width, bottom + 1), "ms", theme.quiet());
+        raster.paint(sheet.buffer);
     }
 }
 
+/// Draws two axes round a field: the places of the labels upwards, from 0 at the top, and across,
+/// from the left, each with what it says; `margin` columns from the right edge the unit of time.
+pub fn axes(
+    field: Rect,
+    (up, across): (
+        impl Iterator<Item = (f64, String)>,
+        impl Iterator<Item = (f64, String)>,
+    ),
+    margin: u16,
+    sheet: &mut Sheet,
+) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let (left, top) = (field.x - area.x, field.y - area.y);
+    let bottom = top + field.height;
+    axis_lines(field, sheet);
+    for (share, label) in up {
+        let y = top + along(share, field.height);
+        sheet.put_right((left - 1, y), label, theme.quiet());
+        sheet.put((left - 1, y), "┤", theme.line());
+    }
+    let mut free = 0;
+    for (share, label) in across {
+        let (x, wide) = (left + along(share, field.width), width(&label));
+        let begin = x.saturating_sub(wide / 2).min(area.width - wide);
+        sheet.put((x, bottom), "┬", theme.line());
+        if begin >= free && begin + wide + 3 + margin <= area.width {
+            free = sheet.put((begin, bottom + 1), label, theme.quiet()) + 1;
+        }
+    }
+    sheet.put_right((area.width - margin, bottom + 1), "ms", theme.quiet());
+}
+
 /// The lines of two axes, at the left of a field and below it.
-pub fn axis_lines(field: Rect, theme: Theme, buffer: &mut Buffer) {
+pub fn axis_lines(field: Rect, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let place = Rect::new(field.x - 1, field.y, field.width + 1, field.height + 1);
     let lines = Block::new().borders(Borders::LEFT | Borders::BOTTOM);
-    lines.border_style(theme.line()).render(place, buffer);
+    lines.border_style(theme.line()).render(place, sheet.buffer);
 }
 
 /// A tick's number without needless zeros.

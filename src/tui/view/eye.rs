@@ -18,8 +18,6 @@ use crate::run::kept::{Frame, nearest};
 use crate::run::places::Region;
 use crate::run::quantity::Quantity;
 use crate::scenario::direction::{place, upper};
-use crate::scenario::fields;
-use crate::scenario::fields::Kind;
 use crate::scenario::{Impact, Scenario};
 use crate::tui::clock::MeshDetail;
 use crate::tui::look::Look;
@@ -30,7 +28,8 @@ use crate::tui::view::picture::Anatomical;
 use crate::tui::view::picture::window::Window;
 use crate::tui::view::projection::Projection;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{put, width};
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::width;
 use crate::tui::view::theme::Theme;
 
 /// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
@@ -49,14 +48,6 @@ const COLD: u8 = 1;
 const STRUCTURE: u8 = 2;
 const HOT: u8 = 10;
 const BLOW: u8 = 30;
-
-/// A number of a scenario, if it has one at that path.
-pub fn number(scenario: &Scenario, path: &str) -> Option<f64> {
-    match &fields::find(path)?.kind {
-        Kind::Number(_, place) => (place.get)(scenario).copied(),
-        _ => None,
-    }
-}
 
 /// What is drawn.
 #[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
@@ -108,23 +99,19 @@ impl<'a> EyePicture<'a> {
 
     /// Draws the eye as large as fits into the middle of `area`.
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
+        let sheet = &mut Sheet::new(buffer, area, self.look);
+        let theme = sheet.theme;
         let Some(frame) = frame_at(&self.shown.answer, self.time) else {
             return;
         };
         if let (MeshDetail::Anatomy, Some(field)) = (self.detail, self.field) {
-            let picture = Anatomical {
-                shown: self.shown,
+            let scene = self;
+            Anatomical {
+                scene,
                 frame,
-                time: self.time,
                 field,
-                zoom: self.zoom,
-                playing: self.playing,
-                lean: self.lean,
-                front: self.front,
-                look: self.look,
-            };
-            picture.draw(area, buffer);
+            }
+            .draw(sheet);
             if self.front {
                 return;
             }
@@ -143,12 +130,12 @@ impl<'a> EyePicture<'a> {
                     (x * f64::from(across), (y + below) * f64::from(down))
                 };
                 self.arrow(theme, &mut raster, dot);
-                raster.paint(buffer);
+                raster.paint(sheet.buffer);
             }
             let up = self.up();
             if up != UP && area.height > 2 {
                 // A large object may lie behind it.
-                put(buffer, area, (0, 1), up, theme.text().bg(Color::Reset));
+                sheet.put((0, 1), up, theme.text().bg(Color::Reset));
             }
             return;
         }
@@ -169,27 +156,19 @@ impl<'a> EyePicture<'a> {
         }
         picture.loaded_arc(&mut raster);
         picture.projectile(&mut raster);
-        let digits = if theme.is_mono() {
-            picture.digits(&raster)
-        } else {
-            Vec::new()
-        };
-        let marks = if self.lean {
-            Vec::new()
-        } else {
-            picture.monitors(&raster)
-        };
+        let mut signs = Vec::new();
+        if theme.is_mono() {
+            signs.extend(picture.digits(&raster));
+        }
+        if !self.lean {
+            signs.extend(picture.monitors(&raster));
+        }
         self.arrow(theme, &mut raster, |at| projection.dot(at.x, at.y));
-        raster.paint(buffer);
-        for (at, step) in digits {
-            buffer[at]
-                .set_char(heat_glyph(step))
-                .set_style(theme.heat(step));
+        raster.paint(sheet.buffer);
+        for (at, sign, style) in signs {
+            sheet.buffer[at].set_char(sign).set_style(style);
         }
-        for (at, letter, style) in marks {
-            buffer[at].set_char(letter).set_style(style);
-        }
-        directions(self.up(), theme, area, buffer);
+        directions(self.up(), sheet);
     }
 
     /// What lies at the top of the picture, which is cut along the blow: the side that it comes
@@ -214,32 +193,31 @@ impl<'a> EyePicture<'a> {
         let polar =
             |angle: f64, radius: f64| dot(Point2::new(-radius * angle.cos(), radius * angle.sin()));
         let Some(blow) = self.blow else { return };
-        let Some(angle) = number(blow, "impact.angle_deg").map(f64::to_radians) else {
-            return;
+        let (angle, half) = match &blow.impact {
+            Impact::ForcePulse(pulse) => (pulse.angle_deg, Some(pulse.half_width_deg)),
+            Impact::Projectile(object) => (object.angle_deg, None),
         };
-        let style = if self.aiming {
-            theme.load().add_modifier(ratatui::style::Modifier::BOLD)
-        } else {
-            theme.load()
-        };
+        let angle = angle.to_radians();
+        let mut style = theme.load();
+        if self.aiming {
+            style = style.patch(theme.strong());
+        }
         let ink = Ink::solid(style, BLOW, '*');
         let (tail, tip) = ARROW_M;
         raster.line(polar(angle, tail), polar(angle, tip), ink);
         for side in [-0.14, 0.14] {
             raster.line(polar(angle + side, tip + 2.2e-3), polar(angle, tip), ink);
         }
-        let half = number(blow, "impact.half_width_deg").map(f64::to_radians);
-        for end in half
-            .into_iter()
-            .flat_map(|half| [angle - half, angle + half])
-        {
+        let half = half.map(f64::to_radians).into_iter();
+        for end in half.flat_map(|half| [angle - half, angle + half]) {
             raster.line(polar(end, ARC_M - 0.6e-3), polar(end, ARC_M + 1.6e-3), ink);
         }
     }
 }
 
 /// Which way is which, in the corners that the eye leaves free.
-fn directions(up: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn directions(up: &str, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let bottom = area.height.saturating_sub(1);
     // The last column may be that of a margin.
     let right = area.width.saturating_sub(5);
@@ -248,13 +226,10 @@ fn directions(up: &str, theme: Theme, area: Rect, buffer: &mut Buffer) {
         return;
     }
     for (word, x, y) in words {
-        let cells = (x..x + width(word)).map(|x| (area.x + x, area.y + y));
-        if area.height > 0
-            && cells
-                .clone()
-                .all(|at| buffer[at].symbol().trim().is_empty())
-        {
-            put(buffer, area, (x, y), word, theme.quiet());
+        let mut cells = x..x + width(word);
+        let mut free = |x| sheet.cell((x, y)).symbol().trim().is_empty();
+        if area.height > 0 && cells.all(&mut free) {
+            sheet.put((x, y), word, theme.quiet());
         }
     }
 }
@@ -291,6 +266,9 @@ pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
     let frames = &answer.run.frames;
     frames.get(nearest(frames, time))
 }
+
+/// A sign in the cell of a place.
+type Sign = ((u16, u16), char, Style);
 
 struct Picture<'a> {
     scene: &'a EyePicture<'a>,
@@ -409,7 +387,7 @@ impl Picture<'_> {
 
     /// Without colours, the steps of the hotter nodes as digits, the hottest last; of all nodes
     /// where only nodes are drawn.
-    fn digits(&self, raster: &Raster) -> Vec<((u16, u16), usize)> {
+    fn digits(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
         let least = match self.scene.detail {
             MeshDetail::Nodes => 1,
             MeshDetail::Edges | MeshDetail::Anatomy => self.thresholds.len() / 2 + 1,
@@ -424,19 +402,20 @@ impl Picture<'_> {
             })
             .collect();
         digits.sort_by_key(|(_, step)| *step);
-        digits
+        let sign = |(at, step)| (at, heat_glyph(step), self.theme.heat(step));
+        digits.into_iter().map(sign)
     }
 
     /// The nodes whose forces are shown, by the first letter of their names; the one that has its
     /// peak now in reverse.
-    fn monitors(&self, raster: &Raster) -> Vec<((u16, u16), char, Style)> {
+    fn monitors(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
         let forces = [
             Quantity::ForceCentre,
             Quantity::ForceFront,
             Quantity::ForceRight,
             Quantity::ForceTop,
         ];
-        let mark = |(node, of): (&usize, Quantity)| {
+        let mark = move |(node, of): (&usize, Quantity)| {
             let (x, y) = self.place(*node);
             let letter = of.row().short.chars().next()?.to_ascii_uppercase();
             let peak = self.scene.shown.answer.peak(of)?;
@@ -448,7 +427,7 @@ impl Picture<'_> {
             Some((raster.cell(x, y)?, letter, style))
         };
         let nodes = self.drawing.monitors.iter().zip(forces);
-        nodes.filter_map(mark).collect()
+        nodes.filter_map(mark)
     }
 
     /// The object as the anatomy has it.

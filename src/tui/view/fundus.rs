@@ -4,11 +4,9 @@
 
 use crate::run::sectors::{HOURS, Sectors};
 use crate::scenario::Side;
-use crate::tui::look::Look;
-use crate::tui::view::text::{put, put_right, width};
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::width;
 use crate::tui::view::theme::Theme;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 use std::f64::consts::TAU;
 
@@ -32,15 +30,9 @@ pub struct Fundus<'a> {
     pub sectors: &'a Sectors,
     /// Which eye.
     pub side: Side,
-    /// How things are drawn.
-    pub look: Look,
 }
 
 impl Fundus<'_> {
-    fn theme(&self) -> Theme {
-        Theme::of(self.look)
-    }
-
     /// The place of a sector of so many, counted towards the nose, that lies at this turn of the
     /// clock, and how far from its middle that is, in sectors.
     fn sector(&self, turn: f64, count: usize, shift: f64) -> (usize, f64) {
@@ -58,8 +50,7 @@ impl Fundus<'_> {
         all.copied().fold(0.0, f64::max)
     }
 
-    fn style(&self, share: f64) -> (Style, &'static str) {
-        let theme = self.theme();
+    fn style(theme: Theme, share: f64) -> (Style, &'static str) {
         let steps = theme.heat_steps();
         let step = 1 + ((share * steps as f64) as usize).min(steps - 1);
         let shade = SHADES[((share * SHADES.len() as f64) as usize).min(SHADES.len() - 1)];
@@ -71,10 +62,11 @@ impl Fundus<'_> {
     }
 
     /// Draws it into the middle of `area`, if there is room.
-    pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
+    pub fn draw(&self, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
         if area.width < LEAST.0 || area.height < LEAST.1 {
             let room = format!("a fundus needs {} columns by {} rows", LEAST.0, LEAST.1);
-            put(buffer, area, (1, 0), &room, self.theme().quiet());
+            sheet.put((1, 0), &room, theme.quiet());
             return;
         }
         let rows = area.height - HEAD - FOOT;
@@ -96,8 +88,8 @@ impl Fundus<'_> {
                 // A dark gap between two sectors, about half a row wide.
                 let gap = (0.5 - off.abs()) * TAU / count as f64 * from * radius;
                 if gap > 0.3 {
-                    let (style, shade) = self.style(value / most);
-                    put(buffer, area, (x, y + HEAD), shade, style);
+                    let (style, shade) = Self::style(theme, value / most);
+                    sheet.put((x, y + HEAD), shade, style);
                 }
             }
         }
@@ -106,31 +98,31 @@ impl Fundus<'_> {
             let y = centre.1 - radius * share * turn.cos();
             (x.max(0.0), y.max(0.0) as u16)
         };
-        let write = |buffer: &mut Buffer, (x, y): (f64, u16), text: &str, style: Style| {
+        let mut write = |(x, y): (f64, u16), text: &str, style: Style| {
             let left = (x - f64::from(width(text)) / 2.0).round().max(0.0) as u16;
-            put(buffer, area, (left, y), text, style);
+            sheet.put((left, y), text, style);
         };
         let middle = |(from, to): (f64, f64)| 0.5 * (from + to);
         let figure = |value: f64| format!("{:.0}", 100.0 * value);
         for hour in 0..HOURS {
             let turn = TAU * hour as f64 / HOURS as f64;
             let value = self.sectors.edge[self.sector(turn, HOURS, 0.0).0];
-            let (style, _) = self.style(value / most);
-            write(buffer, place(middle(OUTER), turn), &figure(value), style);
+            let (style, _) = Self::style(theme, value / most);
+            write(place(middle(OUTER), turn), &figure(value), style);
             let name = if hour == 0 { HOURS } else { hour }.to_string();
             let outside = 1.0 + 0.9 / radius;
-            write(buffer, place(outside, turn), &name, self.theme().strong());
+            write(place(outside, turn), &name, theme.strong());
         }
         for quarter in 0..4 {
             let turn = TAU * (f64::from(quarter) + 0.5) / 4.0;
             let value = self.sectors.back[self.sector(turn, 4, 0.5).0];
-            let (style, _) = self.style(value / most);
-            write(buffer, place(middle(INNER), turn), &figure(value), style);
+            let (style, _) = Self::style(theme, value / most);
+            write(place(middle(INNER), turn), &figure(value), style);
         }
         let nose = self.side.turn(0.25 * TAU);
-        write(buffer, place(0.0, 0.0), "+", self.theme().text());
-        write(buffer, place(0.2, nose), "o", self.theme().text());
-        self.words(area, buffer);
+        write(place(0.0, 0.0), "+", theme.text());
+        write(place(0.2, nose), "o", theme.text());
+        self.words(sheet);
     }
 
     /// The strain at a share of the radius and a turn of the clock, the distance from the middle
@@ -149,24 +141,24 @@ impl Fundus<'_> {
     }
 
     /// Heading, sides and legend.
-    fn words(&self, area: Rect, buffer: &mut Buffer) {
-        let theme = self.theme();
+    fn words(&self, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
         let (eye, left, right) = self.side.seen();
         let hour = Sectors::strongest(&self.sectors.edge);
         let hour = self.side.hour(TAU * hour as f64 / HOURS as f64);
         let title = format!("Retina, {eye} eye, seen from in front; strain in %");
-        put(buffer, area, (1, 0), &title, theme.heading());
+        sheet.put((1, 0), &title, theme.heading());
         let most = format!("most at {hour} o'clock");
         if width(&title) + width(&most) + 3 < area.width {
-            put_right(buffer, area, (area.width - 1, 0), &most, theme.strong());
+            sheet.put_right((area.width - 1, 0), &most, theme.strong());
         }
         let bottom = area.height - 1;
-        put(buffer, area, (1, bottom), left, theme.quiet());
-        put_right(buffer, area, (area.width - 1, bottom), right, theme.quiet());
+        sheet.put((1, bottom), left, theme.quiet());
+        sheet.put_right((area.width - 1, bottom), right, theme.quiet());
         let legend = "outer ring: front edge; inner: back; o disc";
         if area.width > width(legend) + 18 {
             let x = (area.width - width(legend)) / 2;
-            put(buffer, area, (x, bottom), legend, theme.quiet());
+            sheet.put((x, bottom), legend, theme.quiet());
         }
     }
 }
@@ -174,9 +166,10 @@ impl Fundus<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tui::look::Look;
     use crate::tui::terminal::caps::{Depth, Symbols};
-    use crate::tui::view::heat::HeatMap;
-    use crate::tui::view::palette::Palette;
+    use ratatui::buffer::Buffer;
+    use ratatui::layout::Rect;
 
     fn drawn(side: Side) -> Vec<String> {
         let mut sectors = Sectors::default();
@@ -186,18 +179,9 @@ mod tests {
         sectors.back = [0.01, 0.02, 0.03, 0.04];
         let area = Rect::new(0, 0, 60, 20);
         let mut buffer = Buffer::empty(area);
-        let look = Look {
-            depth: Depth::TwoFiveSix,
-            symbols: Symbols::Braille,
-            heat: HeatMap::Cividis,
-            palette: Palette::default(),
-        };
-        Fundus {
-            sectors: &sectors,
-            side,
-            look,
-        }
-        .draw(area, &mut buffer);
+        let look = Look::new(Depth::TwoFiveSix, Symbols::Braille);
+        let sectors = &sectors;
+        Fundus { sectors, side }.draw(&mut Sheet::new(&mut buffer, area, look));
         let row = |y| (0..area.width).map(move |x| (x, y));
         let text = |y| row(y).map(|at| buffer[at].symbol().to_owned()).collect();
         (0..area.height).map(text).collect()

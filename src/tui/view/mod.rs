@@ -15,6 +15,7 @@ pub mod popup;
 mod projection;
 pub mod raster;
 pub mod risks;
+pub mod sheet;
 pub mod text;
 pub mod theme;
 pub mod threshold;

@@ -1,15 +1,12 @@
 //! The list of everything that can be opened.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
 use crate::tui::choices::Choice;
 use crate::tui::model::AppModel;
 use crate::tui::picker::{Picker, facts};
 use crate::tui::view::chart::mark;
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::text::{fitted, put, put_right, seen, width};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{fitted, seen, width};
 
 /// Columns of a name, and the ends of the three facts.
 const NAME: u16 = 20;
@@ -28,8 +25,8 @@ const WELCOME: [&str; 2] = [
 ];
 
 /// Draws the list in the middle of `area`.
-pub fn draw(model: &AppModel, picker: &Picker, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn draw(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let title = match picker {
         _ if picker.first => "What hit the eye?",
         _ if picker.marked.is_some() => "Mark two to six",
@@ -41,89 +38,67 @@ pub fn draw(model: &AppModel, picker: &Picker, area: Rect, buffer: &mut Buffer) 
         0
     };
     let high = model.choices.len() as u16 + ABOVE + below + 2;
-    let inside = frame(title, (area.width.min(92), high), theme, area, buffer);
+    let sheet = &mut frame(title, (area.width.min(92), high), sheet);
+    let inside = sheet.area;
     let room = usize::from(inside.height.saturating_sub(ABOVE + below));
     let first = picker.row.saturating_sub(room.saturating_sub(1));
     let count = seen(first, room, picker.shown.len());
-    put_right(buffer, inside, (inside.width, 0), &count, theme.quiet());
-    let after = put(buffer, inside, (0, 0), "Find ", theme.heading());
+    sheet.put_right((inside.width, 0), &count, theme.quiet());
+    let after = sheet.put((0, 0), "Find ", theme.heading());
     let field = inside.width.saturating_sub(after + width(&count) + 1);
-    let field = Rect::new(inside.x + after, inside.y, field, 1);
-    input(&picker.input, theme.strong(), theme.focus(), field, buffer);
-    heads(theme, inside, buffer);
+    let field = &mut sheet.part((after, 0), (field, 1));
+    input(&picker.input, theme.strong(), field);
+    for (right, head) in FACTS.into_iter().zip(["mass", "size", "speed"]) {
+        sheet.put_right((right, 1), head, theme.quiet());
+    }
+    sheet.put((0, 1), "preset", theme.quiet());
     let rows = picker.shown.iter().enumerate().skip(first).take(room);
     for (y, (i, at)) in (ABOVE..).zip(rows) {
-        let line = Rect::new(inside.x, inside.y + y, inside.width, 1);
+        let line = &mut sheet.row(y);
         let choice = &model.choices[*at];
-        row(choice, i == picker.row, theme, line, buffer);
+        row(choice, i == picker.row, line);
         let marked = picker.marked.iter().flatten();
         let place = marked.enumerate().find(|(_, name)| **name == choice.name);
         if let Some((place, _)) = place {
             let sign = format!("[{}]", mark(place));
-            put(buffer, line, (MARK, 0), &sign, theme.curve(place));
+            line.put((MARK, 0), &sign, theme.curve(place));
         }
     }
     if picker.shown.is_empty() {
-        put(
-            buffer,
-            inside,
-            (0, ABOVE),
-            "nothing is called so",
-            theme.quiet(),
-        );
+        sheet.put((0, ABOVE), "nothing is called so", theme.quiet());
     }
     if picker.first {
         let top = inside.height.saturating_sub(WELCOME.len() as u16);
         for (y, text) in (top..).zip(WELCOME) {
-            put(
-                buffer,
-                inside,
+            sheet.put(
                 (0, y),
-                &fitted(text, usize::from(inside.width)),
+                fitted(text, usize::from(inside.width)),
                 theme.text(),
             );
         }
     }
 }
 
-fn heads(theme: Theme, inside: Rect, buffer: &mut Buffer) {
-    for (right, head) in FACTS.into_iter().zip(["mass", "size", "speed"]) {
-        put_right(buffer, inside, (right, 1), head, theme.quiet());
-    }
-    put(buffer, inside, (0, 1), "preset", theme.quiet());
-}
-
-fn row(choice: &Choice, chosen: bool, theme: Theme, line: Rect, buffer: &mut Buffer) {
+fn row(choice: &Choice, chosen: bool, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let style = if chosen {
         theme.focus()
     } else {
         theme.strong()
     };
-    put(
-        buffer,
-        line,
-        (0, 0),
-        &fitted(&choice.name, usize::from(NAME)),
-        style,
-    );
+    sheet.put((0, 0), fitted(&choice.name, usize::from(NAME)), style);
     let scenario = match &choice.scenario {
         Ok(scenario) => scenario,
         Err(why) => {
-            let room = usize::from(line.width - NAME - 1);
-            put(
-                buffer,
-                line,
-                (NAME + 1, 0),
-                &fitted(why, room),
-                theme.error(),
-            );
+            let room = usize::from(sheet.area.width - NAME - 1);
+            sheet.put((NAME + 1, 0), fitted(why, room), theme.error());
             return;
         }
     };
     for (right, fact) in FACTS.into_iter().zip(facts(scenario)) {
-        put_right(buffer, line, (right, 0), &fact, theme.text());
+        sheet.put_right((right, 0), &fact, theme.text());
     }
-    let room = usize::from(line.width.saturating_sub(REST));
+    let room = usize::from(sheet.area.width.saturating_sub(REST));
     let rest = match choice.origin {
         "" => scenario.name.clone(),
         origin if room < 20 => origin.to_owned(),
@@ -131,6 +106,6 @@ fn row(choice: &Choice, chosen: bool, theme: Theme, line: Rect, buffer: &mut Buf
     };
     // A title that is cut to a word or two says nothing.
     if room >= 20 || !choice.origin.is_empty() {
-        put(buffer, line, (REST, 0), &fitted(&rest, room), theme.text());
+        sheet.put((REST, 0), fitted(&rest, room), theme.text());
     }
 }

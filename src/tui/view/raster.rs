@@ -8,7 +8,11 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::tui::terminal::caps::Symbols;
-use crate::tui::view::picture::QUADRANTS;
+
+/// Bit 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+pub(crate) const QUADRANTS: [char; 16] = [
+    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
+];
 
 /// How a dot looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,10 +152,7 @@ impl Raster {
     pub fn paint(&self, buffer: &mut Buffer) {
         for (i, spot) in self.spots.iter().enumerate() {
             let Some(ink) = spot.ink else { continue };
-            let (column, row) = (
-                i % usize::from(self.area.width),
-                i / usize::from(self.area.width),
-            );
+            let wide = usize::from(self.area.width);
             let symbol = match self.symbols {
                 Symbols::Braille | Symbols::Octant => {
                     char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' ')
@@ -159,8 +160,11 @@ impl Raster {
                 Symbols::Block => QUADRANTS[usize::from(spot.bits & 15)],
                 Symbols::Ascii => ink.glyph,
             };
-            let at = (self.area.x + column as u16, self.area.y + row as u16);
-            buffer[at].set_char(symbol).set_style(ink.style);
+            let (x, y) = (
+                self.area.x + (i % wide) as u16,
+                self.area.y + (i / wide) as u16,
+            );
+            buffer[(x, y)].set_char(symbol).set_style(ink.style);
         }
     }
 }
@@ -176,11 +180,8 @@ mod tests {
         draw(&mut raster);
         let mut buffer = Buffer::empty(area);
         raster.paint(&mut buffer);
-        buffer
-            .content
-            .iter()
-            .map(ratatui::buffer::Cell::symbol)
-            .collect()
+        let signs = buffer.content.iter();
+        signs.map(ratatui::buffer::Cell::symbol).collect()
     }
 
     fn ink(rank: u8, colour: Color) -> Ink {

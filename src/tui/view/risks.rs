@@ -4,7 +4,6 @@
 //! The words and figures are those of [`Risk`] everywhere; here they are only fitted into the room
 //! that there is.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
@@ -18,8 +17,8 @@ use crate::run::flags::FlagKind;
 use crate::tui::ensemble::widened;
 use crate::tui::model::{AppModel, FIRST_ESTIMATE};
 use crate::tui::view::below;
-use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{fitted, longest_fitting, wrapped};
 
 /// What [`SIGNS`] comes to where room is short, and where it is shortest.
 const SHORT_SIGNS: [&str; 2] = [
@@ -145,21 +144,21 @@ const SHORTEST: u16 = 12;
 
 /// Draws each risk below a heading, in `each` rows: the second says what the tissue felt.
 pub fn rows(
-    (model, answer): (&AppModel, &Answer),
+    answer: &Answer,
     (heading, style): (&str, Style),
     (chosen, each): (Option<usize>, u16),
-    area: Rect,
-    buffer: &mut Buffer,
+    sheet: &mut Sheet,
 ) {
-    let theme = Theme::of(model.look);
     // The mark of the chosen one stands before its name.
     let mark = u16::from(chosen.is_some());
     let area = Rect {
-        x: area.x + mark,
-        width: area.width.saturating_sub(mark),
-        ..area
+        x: sheet.area.x + mark,
+        width: sheet.area.width.saturating_sub(mark),
+        ..sheet.area
     };
-    put(buffer, area, (0, 0), heading, style);
+    let sheet = &mut sheet.at(area);
+    let theme = sheet.theme;
+    sheet.put((0, 0), heading, style);
     let columns = Columns::of(area.width);
     let bar = columns.as_ref().map_or(0, |columns| columns.like + 2);
     let bar = Rect {
@@ -177,12 +176,14 @@ pub fn rows(
             (columns.range, "range"),
             (columns.like, if tight { "BB m/s" } else { "like a BB" }),
         ] {
-            put_right(buffer, area, (right, 0), text, theme.quiet());
+            sheet.put_right((right, 0), text, theme.quiet());
         }
     }
     if with_bar {
-        put(buffer, bar, (0, 0), "0", theme.quiet());
-        put_right(buffer, bar, (bar.width, 0), "100 %", theme.quiet());
+        sheet.at(bar).put((0, 0), "0", theme.quiet());
+        sheet
+            .at(bar)
+            .put_right((bar.width, 0), "100 %", theme.quiet());
     }
     for (i, risk) in answer.risks().iter().enumerate() {
         let y = 1 + each * i as u16;
@@ -190,15 +191,15 @@ pub fn rows(
         let here = chosen == Some(i);
         let name = if here { theme.focus() } else { theme.text() };
         if here {
-            buffer[(area.x - 1, area.y + y)]
+            sheet.buffer[(area.x - 1, area.y + y)]
                 .set_char('▸')
                 .set_style(theme.strong());
         }
         let Some(columns) = &columns else {
             let said = longest(risk, usize::from(area.width));
             let end = said.split(':').next().unwrap_or_default();
-            put(buffer, area, (0, y), &said, style);
-            put(buffer, area, (0, y), end, name);
+            sheet.put((0, y), &said, style);
+            sheet.put((0, y), end, name);
             continue;
         };
         let (own, word) = if tight {
@@ -207,38 +208,26 @@ pub fn rows(
         } else {
             (risk.injury.name(), risk.word())
         };
-        put(buffer, area, (0, y), own, name);
-        put(buffer, area, (columns.word, y), &word, style);
-        put_right(
-            buffer,
-            area,
-            (columns.range, y),
-            &in_signs(&risk.percent()),
-            style,
-        );
+        sheet.put((0, y), own, name);
+        sheet.put((columns.word, y), &word, style);
+        sheet.put_right((columns.range, y), in_signs(&risk.percent()), style);
         if risk.usable {
             let about = in_signs(&whole(risk.risk));
-            put_right(buffer, area, (columns.about, y), &about, theme.text());
+            sheet.put_right((columns.about, y), &about, theme.text());
             let like = match risk.equivalent {
                 Equivalent::Under(speed) => format!("<{speed:.0}"),
                 Equivalent::At(speed) => format!("{speed:.0}"),
                 Equivalent::Over(speed) => format!(">{speed:.0}"),
             };
             let unit = if tight { "" } else { " m/s" };
-            put_right(
-                buffer,
-                area,
-                (columns.like, y),
-                &(like + unit),
-                theme.text(),
-            );
+            sheet.put_right((columns.like, y), &(like + unit), theme.text());
         }
         if with_bar {
-            draw_bar(risk, theme, below(bar, y), buffer);
+            draw_bar(risk, &mut sheet.at(below(bar, y)));
         }
         if each > 1 {
             let felt = felt(answer, risk, area.width - 2);
-            put(buffer, area, (2, y + 1), &felt, theme.quiet());
+            sheet.put((2, y + 1), &felt, theme.quiet());
         }
     }
 }
@@ -308,7 +297,8 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
 }
 
 /// The range of a risk from 0 to 100 %, and the risk itself.
-fn draw_bar(risk: &Risk, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_bar(risk: &Risk, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let column = |share: f64| (share * f64::from(area.width - 1)).round() as u16;
     let (low, high) = (column(risk.range.0), column(risk.range.1));
     for x in 0..area.width {
@@ -317,15 +307,16 @@ fn draw_bar(risk: &Risk, theme: Theme, area: Rect, buffer: &mut Buffer) {
             x if (low..=high).contains(&x) => ("═", theme.risk(risk)),
             _ => ("·", theme.quiet()),
         };
-        put(buffer, area, (x, 0), mark, style);
+        sheet.put((x, 0), mark, style);
     }
 }
 
 /// Draws the signs into the last rows of an area.
-pub fn draw_signs(theme: Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw_signs(sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let signs = signs(area.width - 1);
     let top = area.height.saturating_sub(signs.len() as u16);
-    put_lines(buffer, area, (1, top), &signs, theme.heading());
+    sheet.put_lines((1, top), &signs, theme.heading());
 }
 
 #[cfg(test)]

@@ -1,64 +1,14 @@
 //! Words in cells.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::style::Style;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::plain_text::printable;
 use crate::report::format::{self, digits};
 use crate::run::flags::Flag;
 
 /// How many cells a text takes.
 pub fn width(text: &str) -> u16 {
     u16::try_from(text.width()).unwrap_or(u16::MAX)
-}
-
-/// Writes `text` at column and row of `area`, cut at its right edge; gives the column after it.
-pub fn put(buffer: &mut Buffer, area: Rect, at: (u16, u16), text: &str, style: Style) -> u16 {
-    let (x, y) = at;
-    if y >= area.height || x >= area.width {
-        return x;
-    }
-    let room = usize::from(area.width - x);
-    let (end, _) = buffer.set_stringn(area.x + x, area.y + y, printable(text), room, style);
-    end - area.x
-}
-
-/// Writes lines under one another, each beginning at column `x`, the first in row `y` of `area`.
-pub fn put_lines<T: AsRef<str>>(
-    buffer: &mut Buffer,
-    area: Rect,
-    (x, y): (u16, u16),
-    lines: impl IntoIterator<Item = T>,
-    style: Style,
-) {
-    for (y, line) in (y..).zip(lines) {
-        put(buffer, area, (x, y), line.as_ref(), style);
-    }
-}
-
-/// Writes `text` so that it ends before column `right` of `area`.
-pub fn put_right(
-    buffer: &mut Buffer,
-    area: Rect,
-    (right, y): (u16, u16),
-    text: &str,
-    style: Style,
-) {
-    let left = right.saturating_sub(width(text));
-    put(buffer, area, (left, y), text, style);
-}
-
-/// Writes the first heading that there is room for at the left of the first row, or else the last
-/// one, and, cut to the room that is left, a text at its right.
-pub fn put_both(buffer: &mut Buffer, area: Rect, left: (&[&str], Style), right: (&str, Style)) {
-    let beside = area.width.saturating_sub(width(right.0) + 4);
-    let heading = longest_fitting(left.0, beside);
-    let end = put(buffer, area, (1, 0), heading, left.1);
-    let room = usize::from(area.width.saturating_sub(end + 3));
-    let text = fitted(right.0, room);
-    put_right(buffer, area, (area.width - 1, 0), &text, right.1);
 }
 
 /// A text cut to so many cells, with a mark where something is left out.
@@ -248,33 +198,9 @@ mod tests {
             ("x    300 ±", "x    300 ~"),
             ("73 N ±48 %", "73 N+-48 %"),
         ] {
-            let mut buffer = Buffer::empty(Rect::new(0, 0, 10, 2));
-            put(
-                &mut buffer,
-                Rect::new(0, 0, 10, 1),
-                (0, 0),
-                text,
-                Style::new(),
-            );
+            let mut buffer = Buffer::with_lines([text]);
             to_ascii(&mut buffer);
-            let row = &buffer.content[..10];
-            let written: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
-            assert_eq!(written, plain);
+            assert_eq!(buffer, Buffer::with_lines([plain]));
         }
-    }
-
-    #[test]
-    fn nothing_is_written_outside_the_area() {
-        let mut buffer = Buffer::empty(Rect::new(0, 0, 10, 2));
-        let area = Rect::new(2, 0, 4, 1);
-        assert_eq!(put(&mut buffer, area, (0, 0), "abcdefgh", Style::new()), 4);
-        put(&mut buffer, area, (0, 1), "below", Style::new());
-        put(&mut buffer, area, (9, 0), "right", Style::new());
-        let text: String = buffer
-            .content
-            .iter()
-            .map(ratatui::buffer::Cell::symbol)
-            .collect();
-        assert_eq!(text, "  abcd              ");
     }
 }

@@ -13,7 +13,8 @@ use crate::tui::view::palette::{Colour, Colours, FIELD, FIELD_16};
 /// Styles by role.
 #[derive(Debug, Clone, Copy)]
 pub struct Theme {
-    look: Look,
+    /// How things are drawn.
+    pub look: Look,
     colours: Colours,
 }
 
@@ -262,21 +263,14 @@ mod tests {
     use super::*;
     use crate::tui::terminal::caps::Symbols;
     use crate::tui::view::heat::HeatMap;
-    use crate::tui::view::palette::Palette;
 
     /// The contrast that text needs (WCAG 2.1, 1.4.3).
     const READABLE: f64 = 4.5;
 
     fn theme(depth: Depth, heat: HeatMap, light: bool) -> Theme {
-        Theme::of(Look {
-            depth,
-            symbols: Symbols::Braille,
-            heat,
-            palette: Palette {
-                light,
-                ..Palette::default()
-            },
-        })
+        let mut look = Look::new(depth, Symbols::Braille);
+        (look.heat, look.palette.light) = (heat, light);
+        Theme::of(look)
     }
 
     /// Red, green and blue of one of the 256 colours, from 0 to 1.

@@ -1,7 +1,5 @@
 //! The question at which value of a number a result reaches what is asked, and its answer.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::report::threshold::{brief, never};
@@ -9,48 +7,31 @@ use crate::tui::form::typed_text;
 use crate::tui::model::AppModel;
 use crate::tui::threshold::Asking;
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::text::{put, width, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{width, wrapped};
 
 /// Draws it in the middle of `area`.
-pub fn draw(model: &AppModel, asking: &Asking, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn draw(model: &AppModel, asking: &Asking, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let field = asking.field;
     let (label, unit) = (field.label.to_lowercase(), field.unit);
-    let inside = frame("At which value?", (58, 14), theme, area, buffer);
+    let sheet = &mut frame("At which value?", (58, 14), sheet);
+    let room = usize::from(sheet.area.width);
     let now = typed_text(field, &model.work.scenario).unwrap_or_default();
     let row = asking.quantity.row();
-    put(
-        buffer,
-        inside,
-        (0, 0),
-        &format!("At which {label} does"),
-        theme.text(),
-    );
-    let x = put(buffer, inside, (2, 1), row.label, theme.heading());
-    put(
-        buffer,
-        inside,
-        (x + 2, 1),
-        "↑↓ another result",
-        theme.quiet(),
-    );
-    let x = put(buffer, inside, (0, 2), "reach ", theme.text());
-    let typed = Rect::new(inside.x + x, inside.y + 2, 12, 1);
-    input(&asking.input, theme.strong(), theme.focus(), typed, buffer);
+    sheet.put((0, 0), format!("At which {label} does"), theme.text());
+    let x = sheet.put((2, 1), row.label, theme.heading());
+    sheet.put((x + 2, 1), "↑↓ another result", theme.quiet());
+    let x = sheet.put((0, 2), "reach ", theme.text());
+    let typed = &mut sheet.part((x, 2), (12, 1));
+    input(&asking.input, theme.strong(), typed);
     let beside = x + width(asking.input.value()) + 2;
     let asked = format!("{}?  It is {now} {unit} now.", row.unit);
-    put(
-        buffer,
-        inside,
-        (beside, 2),
-        asked.trim_start(),
-        theme.text(),
-    );
+    sheet.put((beside, 2), asked.trim_start(), theme.text());
     let mut y = 4;
     let mut say = |text: &str, style: Style| {
-        for line in wrapped(text, usize::from(inside.width)) {
-            put(buffer, inside, (0, y), &line, style);
+        for line in wrapped(text, room) {
+            sheet.put((0, y), &line, style);
             y += 1;
         }
     };

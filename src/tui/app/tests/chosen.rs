@@ -1,14 +1,10 @@
 //! What keys of a person's own choice do.
 
-use crate::tui::app::driven::{letter, opened};
-use crate::tui::app::tables;
-use crate::tui::app::tables::{clash, footer_keys, open_to_choice};
-use crate::tui::app::update::{Message, update};
+use super::*;
+use crate::tui::app::tables::{clash, open_to_choice};
 use crate::tui::keys::Key;
 use crate::tui::keys::chosen::Keys;
 use crate::tui::keys::press::Press;
-use crossterm::event::KeyEvent;
-use crossterm::event::{KeyCode, KeyModifiers};
 
 fn binding(name: &str) -> &'static Key {
     open_to_choice().find(|b| b.name == name).unwrap()

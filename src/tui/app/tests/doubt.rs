@@ -1,19 +1,10 @@
 //! What the screen of doubt asks for, and what it keeps.
 
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
+use super::*;
 use crate::scenario::Scenario;
-use crate::tui::app::App;
-use crate::tui::app::driven::{asked, key, letter, opened};
-use crate::tui::app::tables::footer_keys;
-use crate::tui::app::update::{Message, begin, update};
 use crate::tui::ensemble::{FEW, MANY, RunSamples};
-use crate::tui::outbox::Effect;
-use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::screens::doubt::Doubt;
-use crate::tui::simulation::{Complete, Simulate};
-use crossterm::event::KeyCode;
-use std::time::Duration;
+use crate::tui::simulation::Complete;
 
 fn sampled(effects: &[Effect]) -> Option<(u64, RunSamples)> {
     asked::<RunSamples>(effects).map(|(ticket, question)| (ticket, question.clone()))
@@ -25,11 +16,10 @@ fn idle_model() -> (App, (u64, RunSamples)) {
     app.model.work.scenario.window_ms = Some(0.2);
     let effects = begin(&mut app);
     let (ticket, question) = asked::<Simulate>(&effects).unwrap();
-    let report = Report::done::<Simulate>(ticket, question.answer(&mut unwatched));
-    let effects = update(&mut app, Message::News(report));
+    let answer = question.answer(&mut unwatched);
+    let effects = done::<Simulate>(&mut app, ticket, answer);
     let (ticket, _) = asked::<Complete>(&effects).unwrap();
-    let report = Report::done::<Complete>(ticket, Err(Refusal::Cancelled));
-    let effects = update(&mut app, Message::News(report));
+    let effects = done::<Complete>(&mut app, ticket, Err(Refusal::Cancelled));
     let asked = sampled(&effects).expect("the band follows what completes the answer");
     (app, asked)
 }
@@ -47,12 +37,11 @@ fn tell(
     };
     let mut outcome = small.answer(&mut unwatched).unwrap();
     outcome.asked = question.count;
-    let report = if over {
-        Report::done::<RunSamples>(*ticket, Ok(outcome))
+    if over {
+        done::<RunSamples>(app, *ticket, Ok(outcome))
     } else {
-        Report::so_far::<RunSamples>(*ticket, outcome)
-    };
-    update(app, Message::News(report))
+        so_far::<RunSamples>(app, *ticket, outcome)
+    }
 }
 
 #[test]

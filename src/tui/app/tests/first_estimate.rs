@@ -1,13 +1,8 @@
 //! What is on show while the eye in three dimensions is computed.
 
-use crate::run::watch::unwatched;
+use super::*;
 use crate::scenario::Geometry;
-use crate::scenario::library::find;
 use crate::scenario::set::set;
-use crate::tui::app::driven::{asked, opened};
-use crate::tui::app::update::{Message, begin, update};
-use crate::tui::request::{Report, TaskQuestion};
-use crate::tui::simulation::Simulate;
 
 #[test]
 fn a_blow_from_the_side_shows_a_first_estimate_that_is_named_until_the_answer_comes() {
@@ -27,20 +22,14 @@ fn a_blow_from_the_side_shows_a_first_estimate_that_is_named_until_the_answer_co
     let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part));
     let first = parts.pop().unwrap();
     assert!(parts.is_empty());
-    update(
-        &mut app,
-        Message::News(Report::so_far::<Simulate>(ticket, first)),
-    );
-    let geometry = |app: &crate::tui::app::App| {
+    so_far::<Simulate>(&mut app, ticket, first);
+    let geometry = |app: &App| {
         let shown = app.model.shown.as_ref().unwrap();
         shown.scenario.geometry().unwrap()
     };
     assert_eq!(geometry(&app), Geometry::Axisymmetric);
     assert_eq!(app.model.stale(), Some("first estimate"));
-    update(
-        &mut app,
-        Message::News(Report::done::<Simulate>(ticket, whole)),
-    );
+    done::<Simulate>(&mut app, ticket, whole);
     assert_eq!(geometry(&app), Geometry::Full);
     assert_eq!(app.model.stale(), None);
 }

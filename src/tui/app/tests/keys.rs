@@ -1,15 +1,8 @@
 //! That no key means two things, and that every place can be left.
 
-use crate::tui::app::driven::opened;
-use crate::tui::app::update::{Message, update};
-use crate::tui::app::{App, tables};
-use crate::tui::form::FormRow;
+use super::*;
 use crate::tui::keys::begins_value;
-use crate::tui::outbox::Effect;
-use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::picker::Picker;
-use crate::tui::screens::SCREENS;
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// A model for every pane, one on a row that takes numbers, and one for every overlay.
 fn every_place() -> Vec<App> {
@@ -23,8 +16,7 @@ fn every_place() -> Vec<App> {
         }
     }
     let mut app = opened();
-    let force = crate::scenario::fields::find("impact.force_n").unwrap();
-    app.model.form.selected = FormRow::Field(force);
+    app.model.form.selected = row("impact.force_n");
     models.push(app);
     for overlay in [
         Overlay::Help(0),

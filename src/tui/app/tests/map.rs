@@ -1,16 +1,9 @@
 //! What the map asks for, and what is done with what comes.
 
+use super::*;
 use crate::many::map::Spot;
-use crate::run::quantity::Quantity;
 use crate::run::readings::PerQuantity;
-use crate::tui::app::App;
-use crate::tui::app::driven::{asked, begun, key, letter};
-use crate::tui::app::update::{Message, update};
-use crate::tui::outbox::Effect;
-use crate::tui::request::Report;
-use crate::tui::screens::map::state::{DrawMap, Map};
-use crate::tui::simulation::Simulate;
-use crossterm::event::KeyCode;
+use crate::tui::screens::map::state::DrawMap;
 
 fn drawn(effects: &[Effect]) -> Option<(u64, DrawMap)> {
     asked::<DrawMap>(effects).map(|(ticket, question)| (ticket, question.clone()))
@@ -29,12 +22,11 @@ fn tell(
     for at in grid.order().into_iter().skip(before).take(count) {
         grid.put(at, Spot::Known(known));
     }
-    let report = if over {
-        Report::done::<DrawMap>(*ticket, Ok(grid))
+    if over {
+        done::<DrawMap>(app, *ticket, Ok(grid))
     } else {
-        Report::so_far::<DrawMap>(*ticket, grid)
-    };
-    update(app, Message::News(report))
+        so_far::<DrawMap>(app, *ticket, grid)
+    }
 }
 
 fn count(app: &App) -> usize {
@@ -102,15 +94,15 @@ fn the_cursor_moves_and_its_values_are_adopted() {
     let middle = app.state::<Map>().cursor;
     key(&mut app, KeyCode::Up);
     letter(&mut app, 'L');
-    assert_eq!(app.state::<Map>().cursor, (middle.0 + 4, middle.1 + 1));
+    assert_eq!(app.state::<Map>().cursor, [middle[0] + 4, middle[1] + 1]);
     let before = app.model.work.scenario.clone();
     let effects = key(&mut app, KeyCode::Enter);
     assert!(asked::<Simulate>(&effects).is_some());
     let (_, adopted) = app.state::<Map>().adopted(&before).unwrap();
     assert_eq!(app.model.work.scenario, adopted);
-    assert!(app.model.notice.as_ref().unwrap().contains("now "));
+    assert!(notice(&app).contains("now "));
     key(&mut app, KeyCode::Enter);
-    assert!(app.model.notice.as_ref().unwrap().contains("your values"));
+    assert!(notice(&app).contains("your values"));
     letter(&mut app, 'u');
     assert_eq!(app.model.work.scenario, before);
 }

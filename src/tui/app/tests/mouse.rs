@@ -1,17 +1,9 @@
 //! What the mouse does.
 
-use crate::scenario::Impact;
-use crate::tui::app::App;
-use crate::tui::app::driven::asked;
-use crate::tui::app::tests::{answer, app};
-use crate::tui::app::update::{Message, update};
-use crate::tui::form::FormRow;
-use crate::tui::outbox::Effect;
-use crate::tui::screens::compare::comparison::Comparison;
-use crate::tui::simulation::Simulate;
+use super::*;
 use MouseButton::Left;
 use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
-use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 
 const SIZE: (u16, u16) = (80, 24);
 
@@ -26,10 +18,7 @@ fn does(app: &mut App, kind: MouseEventKind, at: (u16, u16)) -> Vec<Effect> {
 }
 
 fn blow(app: &App) -> (f64, f64) {
-    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
-        panic!("no pulse")
-    };
-    (pulse.force_n, pulse.angle_deg)
+    (pulse(app).force_n, pulse(app).angle_deg)
 }
 
 /// The middle of the eye at 80 by 24 is near here; the front is to its left.
@@ -39,21 +28,16 @@ const MIDDLE: (u16, u16) = (45, 16);
 fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
     let mut app = app();
     answer(&mut app, 1);
-    assert_eq!(
-        does(&mut app, Drag(Left), MIDDLE),
-        [],
-        "no button went down there"
-    );
+    let effects = does(&mut app, Drag(Left), MIDDLE);
+    assert_eq!(effects, [], "no button went down there");
     does(&mut app, Down(Left), (MIDDLE.0 - 8, MIDDLE.1));
     assert_eq!(app.focus().name, "dial");
     assert!(blow(&app).1.abs() < 8.0, "{}", blow(&app).1);
     let effects = does(&mut app, Drag(Left), (MIDDLE.0 - 8, MIDDLE.1 - 2));
     assert!(asked::<Simulate>(&effects).is_some());
     let angle = blow(&app).1;
-    assert!(
-        (15.0..45.0).contains(&angle) && angle == angle.round(),
-        "{angle}"
-    );
+    assert!((15.0..45.0).contains(&angle), "{angle}");
+    assert_eq!(angle, angle.round());
     // Bone is in the way: that is explained, and the last angle stays.
     does(&mut app, Drag(Left), (MIDDLE.0 + 8, MIDDLE.1));
     assert_eq!(blow(&app).1, angle);
@@ -67,10 +51,7 @@ fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
 fn a_click_chooses_a_row_and_another_one_opens_it() {
     let mut app = app();
     does(&mut app, Down(Left), (5, 5));
-    let FormRow::Field(field) = app.model.form.selected else {
-        panic!()
-    };
-    assert_eq!(field.path, "impact.duration_ms");
+    assert!(app.model.form.selected == row("impact.duration_ms"));
     does(&mut app, Down(Left), (5, 5));
     assert!(app.model.form.typing.is_some());
     // A click elsewhere waits for the answer.
@@ -95,7 +76,7 @@ fn the_wheel_goes_through_the_rows_of_the_form_and_changes_none() {
 #[test]
 fn a_click_on_its_name_shows_a_screen_or_a_pane() {
     let mut app = app();
-    let title = crate::tui::app::frame::tabs(&app, SIZE.0);
+    let title = tabs(&app, SIZE.0);
     for (place, (at, label)) in title.into_iter().enumerate() {
         does(&mut app, Down(Left), (at + 1, 0));
         assert_eq!(app.screen, place);

@@ -1,7 +1,6 @@
 //! That a session is found again as it was.
 
-use crate::scenario::library::find;
-use crate::tui::app::driven::opened;
+use super::*;
 use crate::tui::saved_session::SavedSession;
 
 #[test]

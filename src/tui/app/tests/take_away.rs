@@ -1,22 +1,15 @@
 //! What is taken out of the app.
 
-use crate::run::watch::unwatched;
-use crate::tui::app::App;
-use crate::tui::app::driven::{asked, letter, opened};
-use crate::tui::app::update::{Message, begin, update};
-use crate::tui::outbox::Effect;
-use crate::tui::overlay::Overlay;
+use super::*;
 use crate::tui::page::{WritePage, writing};
-use crate::tui::request::{Report, TaskQuestion};
-use crate::tui::simulation::Simulate;
 
 /// Opened, and its answer there.
 fn answered() -> App {
     let mut app = opened();
     let effects = begin(&mut app);
     let (ticket, question) = asked::<Simulate>(&effects).unwrap();
-    let report = Report::done::<Simulate>(ticket, question.answer(&mut unwatched));
-    update(&mut app, Message::News(report));
+    let answer = question.answer(&mut unwatched);
+    done::<Simulate>(&mut app, ticket, answer);
     app
 }
 
@@ -26,8 +19,8 @@ fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
     let effects = letter(&mut app, 'w');
     let (ticket, question) = asked::<WritePage>(&effects).unwrap();
     assert_eq!(writing(&app.model.page).unwrap(), "writing a page");
-    let report = Report::done::<WritePage>(ticket, question.answer(&mut unwatched));
-    let effects = update(&mut app, Message::News(report));
+    let page = question.answer(&mut unwatched);
+    let effects = done::<WritePage>(&mut app, ticket, page);
     assert_eq!(writing(&app.model.page), None);
     let Some(Effect::Page(stem, text)) = effects.first() else {
         panic!("{effects:?}")
@@ -48,8 +41,7 @@ fn a_large_page_is_written_after_a_question_that_says_where_and_how_large() {
         let mut app = answered();
         let effects = letter(&mut app, 'w');
         let (ticket, _) = asked::<WritePage>(&effects).unwrap();
-        let report = Report::done::<WritePage>(ticket, Ok("x".repeat(1_200_000)));
-        let effects = update(&mut app, Message::News(report));
+        let effects = done::<WritePage>(&mut app, ticket, Ok("x".repeat(1_200_000)));
         assert!(!effects.iter().any(|e| matches!(e, Effect::Page(..))));
         let Some(Overlay::Prompt(question)) = &app.model.overlay else {
             panic!("nothing is asked")
@@ -68,9 +60,9 @@ fn a_large_page_is_written_after_a_question_that_says_where_and_how_large() {
 fn nothing_is_taken_before_there_is_an_answer_and_no_file_by_a_guest() {
     let mut app = opened();
     assert!(letter(&mut app, 'w').is_empty());
-    assert!(app.model.notice.as_ref().unwrap().contains("no answer yet"));
+    assert!(notice(&app).contains("no answer yet"));
     let mut app = answered();
     app.model.guest = true;
     assert!(letter(&mut app, 'w').is_empty());
-    assert!(app.model.notice.as_ref().unwrap().contains("guest"));
+    assert!(notice(&app).contains("guest"));
 }

@@ -1,36 +1,20 @@
 //! Asking at which value a result reaches another one.
 
-use crate::answer::solve::solve;
+use super::*;
 use crate::injury::Injury;
 use crate::many::threshold::Threshold;
-use crate::run::kept::Keep;
-use crate::run::quantity::Quantity;
-use crate::run::watch::unwatched;
-use crate::scenario::fields;
-use crate::scenario::library::find;
-use crate::tui::app::App;
-use crate::tui::app::driven::{asked, key, letter, opened};
-use crate::tui::app::frame::draw;
-use crate::tui::app::update::{Message, update};
-use crate::tui::form::FormRow;
-use crate::tui::outbox::Effect;
-use crate::tui::overlay::Overlay;
-use crate::tui::request::Report;
-use crate::tui::request::TaskQuestion as _;
 use crate::tui::shown::ShownAnswer;
 use crate::tui::threshold::{Asking, FindThreshold};
-use crossterm::event::KeyCode;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::buffer::Cell;
 
 /// At the speed of a BB whose answer is on show.
 fn bb() -> App {
     let mut app = opened();
     let scenario = find("bb-56").unwrap().scenario().unwrap();
     app.model.work.scenario = scenario.clone();
-    let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
+    let answer = simulated(&app).unwrap();
     app.model.shown = Some(ShownAnswer::new(scenario, answer));
-    app.model.form.selected = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
+    app.model.form.selected = row("impact.speed_m_s");
     app
 }
 
@@ -38,11 +22,7 @@ fn bb() -> App {
 fn drawn(app: &App) -> String {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
     draw(app, &mut buffer);
-    buffer
-        .content
-        .iter()
-        .map(ratatui::buffer::Cell::symbol)
-        .collect()
+    buffer.content.iter().map(Cell::symbol).collect()
 }
 
 fn asking(app: &App) -> &Asking {
@@ -61,8 +41,7 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     let effects = key(&mut app, KeyCode::Enter);
     let (ticket, question) = asked::<FindThreshold>(&effects).unwrap();
     let found = question.answer(&mut unwatched);
-    let report = Report::done::<FindThreshold>(ticket, found);
-    update(&mut app, Message::News(report));
+    done::<FindThreshold>(&mut app, ticket, found);
     let crossing = asking(&app).chosen().unwrap();
     let (from, to) = crossing.risk.as_ref().unwrap().range;
     assert!(from.unwrap() < crossing.at && crossing.at < to.unwrap());
@@ -76,10 +55,8 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
         .text(&app.model.work.scenario);
     assert_eq!(speed_now.unwrap().parse(), Ok(speed));
     letter(&mut app, 'u');
-    assert_eq!(
-        app.model.work.scenario,
-        find("bb-56").unwrap().scenario().unwrap()
-    );
+    let before = find("bb-56").unwrap().scenario().unwrap();
+    assert_eq!(app.model.work.scenario, before);
 }
 
 #[test]
@@ -111,7 +88,7 @@ fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
     app.model.form.selected = FormRow::Preset;
     letter(&mut app, 't');
     assert!(app.model.overlay.is_none() && app.model.notice.is_some());
-    app.model.form.selected = FormRow::Field(fields::find("impact.speed_m_s").unwrap());
+    app.model.form.selected = row("impact.speed_m_s");
     app.model.shown = None;
     letter(&mut app, 't');
     assert!(app.model.overlay.is_none());
@@ -131,9 +108,6 @@ fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
         seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))],
         crossings: Vec::new(),
     };
-    update(
-        &mut app,
-        Message::News(Report::done::<FindThreshold>(ticket, Ok(never))),
-    );
+    done::<FindThreshold>(&mut app, ticket, Ok(never));
     assert!(drawn(&app).contains("Never: "), "{}", drawn(&app));
 }

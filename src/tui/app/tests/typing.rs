@@ -1,12 +1,9 @@
 //! What typing a value does.
 
-use crate::tui::app::driven::opened;
-use crate::tui::app::frame::draw;
-use crate::tui::app::tests::*;
+use super::*;
+use crate::scenario::{Lens, Model, Species};
 use crate::tui::form::rows;
 use crate::tui::work::Work;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 #[test]
 fn typing_changes_nothing_until_it_is_accepted_and_escape_restores() {
@@ -16,8 +13,7 @@ fn typing_changes_nothing_until_it_is_accepted_and_escape_restores() {
         assert!(asked::<Simulate>(&press(&mut app, typed)).is_none());
         assert_eq!((force(&app), app.model.stale()), (300.0, None));
     }
-    let error = app.model.form.typing.as_ref().unwrap().error.clone();
-    assert!(error.unwrap().contains("allowed"));
+    assert!(wrong(&app).contains("allowed"));
     press(&mut app, "\x1b");
     assert!(app.model.form.typing.is_none());
     assert_eq!((force(&app), app.model.history.depth()), (300.0, (0, 0)));
@@ -25,11 +21,9 @@ fn typing_changes_nothing_until_it_is_accepted_and_escape_restores() {
 
 #[test]
 fn arrows_tab_and_function_keys_accept_what_a_digit_began() {
-    let up = FormRow::Field(fields::find("impact").unwrap());
-    let here = FormRow::Field(fields::find("impact.force_n").unwrap());
-    let down = FormRow::Field(fields::find("impact.duration_ms").unwrap());
-    for (keys, row, screen) in [
-        ("\x1b[A", up, 0),
+    let (here, down) = ("impact.force_n", "impact.duration_ms");
+    for (keys, path, screen) in [
+        ("\x1b[A", "impact", 0),
         ("\x1b[B", down, 0),
         ("\t", down, 0),
         ("\x1b[D", here, 0),
@@ -41,21 +35,16 @@ fn arrows_tab_and_function_keys_accept_what_a_digit_began() {
         press(&mut app, "80");
         assert_eq!(force(&app), 300.0);
         press(&mut app, keys);
-        assert!(
-            app.model.form.typing.is_none() && force(&app) == 80.0,
-            "{keys:?}"
-        );
-        assert!(
-            app.model.form.selected == row && app.screen == screen,
-            "{keys:?}"
-        );
+        let form = &app.model.form;
+        assert!(form.typing.is_none() && force(&app) == 80.0, "{keys:?}");
+        assert!(form.selected == row(path) && app.screen == screen);
         press(&mut app, "u");
         assert_eq!(force(&app), 300.0, "one change");
     }
     // What makes no sense is kept with its reason, and no screen hides it.
     let mut app = app();
     press(&mut app, "-7\x1bOR");
-    assert!(app.model.form.typing.as_ref().unwrap().error.is_some());
+    assert!(typing(&app).error.is_some());
     assert_eq!((app.screen, force(&app)), (0, 300.0));
     // Of a text that was there before, an arrow goes through it.
     press(&mut app, "\x1b\r\x1b[D");
@@ -88,11 +77,9 @@ fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
     answer(&mut app, ticket);
     press(&mut app, "\r");
     for typed in [" ", "+", "-", " ", "5"] {
-        assert!(
-            asked::<Simulate>(&press(&mut app, typed)).is_none(),
-            "{typed}"
-        );
-        assert!(app.model.form.typing.as_ref().unwrap().error.is_none());
+        let effects = press(&mut app, typed);
+        assert!(asked::<Simulate>(&effects).is_none(), "{typed}");
+        assert!(typing(&app).error.is_none());
     }
     assert!(asked::<Simulate>(&press(&mut app, "\r")).is_none());
     assert_eq!((force(&app), app.model.stale()), (45.0, None));
@@ -101,8 +88,7 @@ fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
     assert!(app.model.work.scenario.doubt.is_empty());
     // Enter takes no half of a doubt.
     press(&mut app, "45 +-\r");
-    let error = app.model.form.typing.as_ref().unwrap().error.clone();
-    assert!(error.unwrap().contains("allowed"));
+    assert!(wrong(&app).contains("allowed"));
 }
 
 #[test]
@@ -123,11 +109,8 @@ fn no_two_rows_of_a_form_read_alike() {
                 let label = line.trim_start().split("  ").next().unwrap().to_owned();
                 let own = label.split(" ?").next().unwrap().to_owned();
                 assert!(!own.is_empty(), "{}: {line}", choice.name);
-                assert!(
-                    !labels.contains(&own),
-                    "{}: {own} in {columns}",
-                    choice.name
-                );
+                let name = &choice.name;
+                assert!(!labels.contains(&own), "{name}: {own} in {columns}");
                 labels.push(own);
             }
         }
@@ -167,63 +150,50 @@ fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
     let mut app = app();
     press(&mut app, "7");
     assert_eq!(press(&mut app, "us?q"), []);
-    let value = |app: &App| {
-        let typing = app.model.form.typing.as_ref().unwrap();
-        typing.input.value().to_owned()
-    };
+    let value = |app: &App| typing(app).input.value().to_owned();
     assert_eq!((value(&app), app.screen), ("7".to_owned(), 0));
-    assert!(app.model.notice.as_ref().unwrap().contains("Enter accepts"));
+    assert!(notice(&app).contains("Enter accepts"));
     press(&mut app, ",5 ± 2e-1");
     assert_eq!(value(&app), "7.5 ± 2e-1");
     assert!(app.model.notice.is_none());
     // A pasted comma may stand for thousands: it is explained.
     press(&mut app, "\x15\x1b[200~1,000\x1b[201~");
-    let error = app.model.form.typing.as_ref().unwrap().error.clone();
-    assert!(error.unwrap().contains("not a comma"));
+    assert!(wrong(&app).contains("not a comma"));
     press(&mut app, "\x15");
-    let error = app.model.form.typing.as_ref().unwrap().error.clone();
-    assert_eq!(error.unwrap(), "nothing is there: allowed 0 to 100000 N");
+    assert_eq!(wrong(&app), "nothing is there: allowed 0 to 100000 N");
 }
 
 #[test]
 fn what_the_form_shows_can_be_typed() {
     let mut app = app();
-    let field = |path| FormRow::Field(fields::find(path).unwrap());
     press(&mut app, "a");
-    app.model.form.selected = field("window_ms");
+    app.model.form.selected = row("window_ms");
     press(&mut app, "4\r");
     assert_eq!(app.model.work.scenario.window_ms, Some(4.0));
     press(&mut app, "\r\x15auto\r");
     assert_eq!(app.model.work.scenario.window_ms, None);
-    app.model.form.selected = field("numerics.step_us");
+    app.model.form.selected = row("numerics.step_us");
     press(&mut app, "2\r");
     assert_eq!(app.model.work.scenario.numerics.step_us, Some(2.0));
     press(&mut app, "\r\x15Auto\r");
     assert_eq!(app.model.work.scenario.numerics.step_us, None);
     press(&mut app, "\r");
-    assert_eq!(
-        app.model.form.typing.as_ref().unwrap().input.value(),
-        "auto"
-    );
+    assert_eq!(typing(&app).input.value(), "auto");
     press(&mut app, "\x150");
-    let error = app.model.form.typing.as_ref().unwrap().error.clone();
-    assert!(error.unwrap().contains("allowed auto, or"));
+    assert!(wrong(&app).contains("allowed auto, or"));
     press(&mut app, "\x15auto");
     press(&mut app, "\r");
-    app.model.form.selected = field("eye.lens");
+    app.model.form.selected = row("eye.lens");
     press(&mut app, "\x1b[200~soft\x1b[201~\r");
-    assert_eq!(
-        app.model.work.scenario.eye.lens,
-        crate::scenario::Lens::Soft
-    );
-    app.model.form.selected = field("model");
+    assert_eq!(app.model.work.scenario.eye.lens, Lens::Soft);
+    app.model.form.selected = row("model");
     press(&mut app, "\x1b[200~physiological\x1b[201~\r");
-    app.model.form.selected = field("model.species");
+    app.model.form.selected = row("model.species");
     press(&mut app, "\x1b[200~pig\x1b[201~\r");
-    let crate::scenario::Model::Physiological(parts) = &app.model.work.scenario.model else {
+    let Model::Physiological(parts) = &app.model.work.scenario.model else {
         panic!()
     };
-    assert_eq!(parts.species, crate::scenario::Species::Pig);
+    assert_eq!(parts.species, Species::Pig);
 }
 
 #[test]
@@ -239,8 +209,7 @@ fn a_digit_begins_a_value_where_a_number_is_wanted() {
     assert_eq!(force(&app), 0.5);
     // A force below nothing is explained, and the value before stays; Enter takes none of it.
     press(&mut app, "-7\r");
-    let typing = app.model.form.typing.as_ref().unwrap();
-    assert!(typing.error.as_ref().unwrap().contains("allowed"));
+    assert!(wrong(&app).contains("allowed"));
     assert_eq!((force(&app), app.model.stale()), (0.5, None));
     press(&mut app, "\x1b\x1b[200~75\x1b[201~\r");
     assert_eq!(force(&app), 75.0);
@@ -249,7 +218,7 @@ fn a_digit_begins_a_value_where_a_number_is_wanted() {
 #[test]
 fn a_digit_never_leaves_the_form_and_switches_screens_elsewhere() {
     let mut app = app();
-    let shape = FormRow::Field(fields::find("impact.shape").unwrap());
+    let shape = row("impact.shape");
     for row in [FormRow::Preset, FormRow::Fold, shape] {
         app.model.form.selected = row;
         let before = app.model.work.clone();
@@ -258,13 +227,7 @@ fn a_digit_never_leaves_the_form_and_switches_screens_elsewhere() {
             assert!(app.screen == 0 && app.model.form.typing.is_none() && app.model.work == before);
         }
         press(&mut app, "4");
-        assert!(
-            app.model
-                .notice
-                .as_ref()
-                .unwrap()
-                .ends_with("F4 or Alt-4 shows Compare")
-        );
+        assert!(notice(&app).ends_with("F4 or Alt-4 shows Compare"));
         press(&mut app, "\x1b[200~12\x1b[201~");
         assert_eq!(app.model.form.typing.is_some(), row == shape);
         press(&mut app, "\x1b");

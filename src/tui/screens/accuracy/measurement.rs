@@ -7,17 +7,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::many::accuracy::Accuracy;
-use crate::many::accuracy::Total;
-use crate::many::accuracy::cheapest;
-use crate::many::accuracy::finest_tried;
-use crate::many::accuracy::measure;
-use crate::report::format::percent;
-use crate::report::format::significant;
+use crate::many::accuracy::{Accuracy, Total, cheapest, finest_tried, measure};
+use crate::report::format::{percent, significant};
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
 use crate::run::watch::Watch;
 use crate::scenario::{NumericsInput, Scenario};
+use crate::tui::ensemble;
 use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::step::Step;
 use crate::tui::task::Task;
@@ -59,12 +55,8 @@ impl TaskQuestion for MeasureAccuracy {
 
 /// The scenario without what the measurement varies: level, integrator and step.
 fn key(scenario: &Scenario) -> Scenario {
-    let mut key = Scenario {
-        // No name would be refused.
-        name: "any".to_owned(),
-        numerics: scenario.numerics.automatic(),
-        ..scenario.clone()
-    };
+    let mut key = ensemble::key(scenario);
+    key.numerics = scenario.numerics.automatic();
     key.eye.level = finest_tried(scenario);
     key.doubt.clear();
     key

@@ -5,7 +5,6 @@ mod log_axis;
 pub mod measurement;
 mod view;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::changes::edit::adopt;
@@ -16,6 +15,7 @@ use crate::tui::overlay::{Overlay, Prompt};
 use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
+use crate::tui::view::sheet::Sheet;
 use measurement::{Measurement, Proposal, adopted};
 
 pub(super) const ABOUT: About = About {
@@ -41,8 +41,8 @@ const KEYS: PaneKeys<Measurement> = PaneKeys::new(ABOUT.title, &[
 ]);
 
 impl Screen for Measurement {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        view::draw(self, model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        view::draw(self, model, sheet);
     }
 
     /// Measures while the screen is on show what is not known yet; asks what was wished for once

@@ -4,27 +4,19 @@
 //! rows, as the mesh errors are mostly the larger by far. So the picture is legible without
 //! colours, which tell the level.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::many::accuracy::Accuracy;
-use crate::many::accuracy::ROUNDS;
-use crate::many::accuracy::TOLERANCES;
-use crate::many::accuracy::Total;
-use crate::many::accuracy::cheapest;
-use crate::report::format::digits;
-use crate::report::format::percent;
-use crate::report::format::significant;
+use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
+use crate::report::format::{digits, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
-use crate::tui::look::Look;
 use crate::tui::model::AppModel;
 use crate::tui::screens::accuracy::log_axis::{LogAxis, tick_label};
 use crate::tui::screens::accuracy::measurement::Measurement;
-use crate::tui::view::chart::axis_lines;
+use crate::tui::view::chart::axes;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{flowed, put, put_both, put_lines, put_right, width, wrapped};
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{flowed, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the error axis.
@@ -48,8 +40,8 @@ fn style(theme: Theme, total: &Total) -> Style {
 }
 
 /// Draws the screen.
-pub fn draw(accuracy: &Measurement, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let scenario = &model.work.scenario;
     let shown = accuracy.shown(scenario);
     let (said, style) = status(accuracy, model, theme);
@@ -60,7 +52,7 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, area: Rect, buffer: &mut B
         "" => &["How exact, and at what cost?", "How exact?"],
         _ => &[&full, &brief, "How exact?"],
     };
-    put_both(buffer, area, (titles, theme.heading()), (&said, style));
+    sheet.put_both((titles, theme.heading()), (&said, style));
     let room = area.width - 2;
     let (Some(totals), Some(of), false) = (
         accuracy.of(scenario),
@@ -69,7 +61,7 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, area: Rect, buffer: &mut B
     ) else {
         let text = waiting(accuracy, model);
         let lines = wrapped(&text, usize::from(room));
-        put_lines(buffer, area, (1, 2), lines, theme.text());
+        sheet.put_lines((1, 2), lines, theme.text());
         return;
     };
     let here = accuracy.place(&shown);
@@ -85,23 +77,19 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, area: Rect, buffer: &mut B
             _ if i == details => theme.strong(),
             _ => theme.text(),
         };
-        put(buffer, area, (1, top + i as u16), line, style);
+        sheet.put((1, top + i as u16), line, style);
     }
     let lines = wrapped(&costs(&shown), usize::from(room));
-    put_lines(buffer, area, (1, 1), &lines, theme.strong());
+    sheet.put_lines((1, 1), &lines, theme.strong());
     let first = 1 + lines.len() as u16;
-    let plot = Rect::new(
-        area.x,
-        area.y + first,
-        area.width,
-        top.saturating_sub(first),
-    );
-    if plot.height < LEAST.1 + 2 || plot.width < LEAST.0 + LABELS {
+    let high = top.saturating_sub(first);
+    if high < LEAST.1 + 2 || area.width < LEAST.0 + LABELS {
         let text = "too small for the chart";
-        put(buffer, area, (1, 1), text, theme.warning());
+        sheet.put((1, 1), text, theme.warning());
         return;
     }
-    chart(&shown, here, model.look, plot, buffer);
+    let plot = &mut sheet.part((0, first), (area.width, high));
+    chart(&shown, here, plot);
 }
 
 /// What less error costs: the fastest run, the most exact one, and one between them.
@@ -218,25 +206,25 @@ fn front(shown: &[Total], here: usize) -> String {
     }
 }
 
-fn chart(shown: &[Total], cursor: usize, look: Look, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(look);
-    let left = LABELS + 1;
-    let field = Rect::new(
-        area.x + left,
-        area.y,
-        area.width - left - 1,
-        area.height - 2,
-    );
+fn chart(shown: &[Total], cursor: usize, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let size = (area.width - LABELS - 2, area.height - 2);
+    let field = sheet.part((LABELS + 1, 0), size).area;
     let times = LogAxis::over(shown.iter().map(|total| total.seconds * 1e3));
     let errors = LogAxis::over(shown.iter().map(|total| total.error().max(FLOOR)));
-    axes(area, field, (times, errors), theme, buffer);
+    let up = errors.ticks(usize::from(field.height / 2)).into_iter();
+    let up = up.map(|value| (1.0 - errors.share(value), tick_label(value)));
+    let across = times.ticks(usize::from(field.width / 8)).into_iter();
+    let across = across.map(|value| (times.share(value), tick_label(value)));
+    axes(field, (up, across), 1, sheet);
+    sheet.put((0, 0), "%", theme.quiet());
     // In cells, so that lines run from mark to mark.
     let cell = |total: &Total| {
         let x = times.share(total.seconds * 1e3) * f64::from(field.width - 1);
         let y = (1.0 - errors.share(total.error().max(FLOOR))) * f64::from(field.height - 1);
         (x.round(), y.round())
     };
-    let mut raster = Raster::new(field, look.symbols);
+    let mut raster = Raster::new(field, theme.look.symbols);
     let (columns, rows) = raster.size();
     let grain = (
         f64::from(columns) / f64::from(field.width),
@@ -252,59 +240,21 @@ fn chart(shown: &[Total], cursor: usize, look: Look, area: Rect, buffer: &mut Bu
     for pair in front.windows(2) {
         raster.line(pair[0], pair[1], ink);
     }
-    raster.paint(buffer);
+    raster.paint(sheet.buffer);
     // The front hides what it beats, and the chosen run hides everything.
     let mut marks: Vec<(usize, &Total)> = shown.iter().enumerate().collect();
     marks.sort_by_key(|(at, total)| (*at == cursor, total.on_front));
     for (at, total) in marks {
         let (x, y) = cell(total);
         let letter = total.plan.integrator.method().letter;
-        let mark = if total.on_front {
-            letter
-        } else {
-            letter.to_ascii_lowercase()
-        };
+        let small = letter.to_ascii_lowercase();
+        let mark = if total.on_front { letter } else { small };
         let mut style = style(theme, total);
         if at == cursor {
             style = style.patch(theme.focus());
         }
-        let place = &mut buffer[(field.x + x as u16, field.y + y as u16)];
+        let place = &mut sheet.buffer[(field.x + x as u16, field.y + y as u16)];
         place.reset();
         place.set_char(mark).set_style(style);
     }
-}
-
-fn axes(
-    area: Rect,
-    field: Rect,
-    (times, errors): (LogAxis, LogAxis),
-    theme: Theme,
-    buffer: &mut Buffer,
-) {
-    let bottom = field.height;
-    axis_lines(field, theme, buffer);
-    for value in errors.ticks(usize::from(field.height / 2)) {
-        let y = ((1.0 - errors.share(value)) * f64::from(field.height - 1)).round() as u16;
-        let label = tick_label(value);
-        put_right(buffer, area, (LABELS, y), &label, theme.quiet());
-        put(buffer, area, (LABELS, y), "┤", theme.line());
-    }
-    put(buffer, area, (0, 0), "%", theme.quiet());
-    let mut free = 0;
-    for value in times.ticks(usize::from(field.width / 8)) {
-        let x = LABELS + 1 + (times.share(value) * f64::from(field.width - 1)).round() as u16;
-        let label = tick_label(value);
-        let left = x.saturating_sub(width(&label) / 2);
-        put(buffer, area, (x, bottom), "┬", theme.line());
-        if left >= free && left + width(&label) + 4 <= area.width {
-            free = put(buffer, area, (left, bottom + 1), &label, theme.quiet()) + 1;
-        }
-    }
-    put_right(
-        buffer,
-        area,
-        (area.width - 1, bottom + 1),
-        "ms",
-        theme.quiet(),
-    );
 }

@@ -4,11 +4,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use crate::answer::solve::Answer;
-use crate::many::comparison::ComparisonColumn;
-use crate::many::comparison::Entry;
-use crate::many::comparison::Found;
-use crate::many::comparison::columns;
-use crate::many::comparison::order;
+use crate::many::comparison::{ComparisonColumn, Entry, Found, columns, order};
 use crate::run::kept::Traces;
 use crate::run::quantity::Quantity;
 use crate::run::refusal::Refusal;
@@ -318,19 +314,23 @@ mod tests {
     use crate::run::watch::unwatched;
     use crate::scenario::library;
 
-    fn filled() -> Comparison {
+    /// These presets with their answers, of so many ms where they are told.
+    fn answered(names: &[&str], keep: Keep, window_ms: Option<f64>) -> Comparison {
         let mut comparison = Comparison::default();
-        for name in ["paper-300n", "paper-100n", "paper-600n"] {
-            let scenario = library::find(name).unwrap().scenario().unwrap();
+        for name in names {
+            let mut scenario = library::find(name).unwrap().scenario().unwrap();
+            scenario.window_ms = window_ms.or(scenario.window_ms);
             comparison.mark(name, &scenario).unwrap();
-            let checked = scenario.check().unwrap();
-            let answer = solve(&checked, Keep::default(), &mut unwatched).unwrap();
-            comparison.set_found(
-                name,
-                Found::Answer(ShownAnswer::new(scenario, answer).into()),
-            );
+            let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+            let shown = ShownAnswer::new(scenario, answer);
+            comparison.set_found(name, Found::Answer(shown.into()));
         }
         comparison
+    }
+
+    fn filled() -> Comparison {
+        let names = ["paper-300n", "paper-100n", "paper-600n"];
+        answered(&names, Keep::default(), None)
     }
 
     #[test]
@@ -353,15 +353,13 @@ mod tests {
     #[test]
     fn the_table_sorts_by_every_column_both_ways() {
         let mut comparison = filled();
-        assert_eq!(
-            order(&comparison),
-            ["paper-300n", "paper-100n", "paper-600n"]
+        let (marked, sorted) = (
+            "paper-300n paper-100n paper-600n",
+            "paper-100n paper-300n paper-600n",
         );
+        assert_eq!(order(&comparison).join(" "), marked);
         comparison.sort_here();
-        assert_eq!(
-            order(&comparison),
-            ["paper-100n", "paper-300n", "paper-600n"]
-        );
+        assert_eq!(order(&comparison).join(" "), sorted);
         let columns = comparison.columns();
         let pressure = ComparisonColumn::Result(Quantity::Pressure);
         assert!(
@@ -384,22 +382,11 @@ mod tests {
 
     #[test]
     fn objects_are_compared_by_the_gravest_risk_and_stand_at_the_same_moment() {
-        let mut comparison = Comparison::default();
-        for name in ["foam-dart", "bb-62"] {
-            let mut scenario = library::find(name).unwrap().scenario().unwrap();
-            scenario.window_ms = Some(0.5);
-            comparison.mark(name, &scenario).unwrap();
-            let checked = scenario.check().unwrap();
-            let keep = Keep {
-                traces: true,
-                frames: None,
-            };
-            let answer = solve(&checked, keep, &mut unwatched).unwrap();
-            comparison.set_found(
-                name,
-                Found::Answer(ShownAnswer::new(scenario, answer).into()),
-            );
-        }
+        let keep = Keep {
+            traces: true,
+            frames: None,
+        };
+        let mut comparison = answered(&["foam-dart", "bb-62"], keep, Some(0.5));
         let rupture = ComparisonColumn::Result(Quantity::GlobeRupture);
         assert_eq!(comparison.columns()[1], rupture);
         assert_eq!(comparison.sorting(), Some((rupture, true)));

@@ -6,7 +6,6 @@ mod overlaid;
 mod replays;
 mod view;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::many::comparison::Found;
@@ -27,6 +26,7 @@ use crate::tui::screens::replay::FrameKeys;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::Complete;
+use crate::tui::view::sheet::Sheet;
 use crate::tui::work::Work;
 use comparison::{
     Comparison, CompleteMarked, FORM, LIST, MAX_MARKED, Marked, REPLAYS, SimulateMarked, TABLE,
@@ -89,8 +89,8 @@ const ALIGN: Binding<Act<Comparison>> = bind(
 );
 
 impl Screen for Comparison {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        view::draw(self, model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        view::draw(self, model, sheet);
     }
 
     fn pane(&self) -> usize {

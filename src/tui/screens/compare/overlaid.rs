@@ -1,25 +1,16 @@
 //! One curve of every preset in one chart.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
 use crate::answer::solve::Answer;
 use crate::run::trace::Trace;
 use crate::tui::model::AppModel;
 use crate::tui::screens::compare::comparison::{Alignment, Comparison};
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
 use crate::tui::view::raster::Ink;
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
 
 /// One curve of every entry in one chart.
-pub(super) fn overlaid(
-    compare: &Comparison,
-    model: &AppModel,
-    course: Trace,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
+pub(super) fn overlaid(compare: &Comparison, model: &AppModel, course: Trace, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let row = course.row();
     // Each on the time of the first.
     let shifted = |answer: &Answer| -> Option<Vec<f64>> {
@@ -75,7 +66,6 @@ pub(super) fn overlaid(
         curves,
         span: (0.0, window),
         cursor: compare.time(model),
-        look: model.look,
     }
-    .draw(area, buffer);
+    .draw(sheet);
 }

@@ -1,8 +1,6 @@
 //! Replays side by side.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
+use crate::answer::solve::Answer;
 use crate::many::comparison::Found;
 use crate::tui::model::AppModel;
 use crate::tui::screens::compare::comparison::Comparison;
@@ -10,14 +8,14 @@ use crate::tui::screens::compare::view::heading;
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::chart::mark;
 use crate::tui::view::eye::EyePicture;
-use crate::tui::view::text::{fitted, put, put_right};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::fitted;
 use crate::tui::work::brief;
 
 /// Side by side, all at the same time and on the same scale of force.
-pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    heading(compare, model, area, "", buffer);
+pub(super) fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    heading(compare, "", sheet);
     let entries = &compare.entries;
     if entries.is_empty() {
         return;
@@ -33,11 +31,8 @@ pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer
     let wanted = answers().find_map(|shown| model.clock.field(&shown.fields));
     let wanted = wanted.map(|(field, _)| field);
     let own = |shown: &ShownAnswer| {
-        let found = shown
-            .fields
-            .iter()
-            .find(|(field, _)| Some(*field) == wanted);
-        found.copied()
+        let mut fields = shown.fields.iter().copied();
+        fields.find(|(field, _)| Some(*field) == wanted)
     };
     let ends = answers().filter_map(|shown| own(shown));
     let end = ends.map(|(_, end)| end).fold(0.0, f64::max);
@@ -51,42 +46,36 @@ pub(super) fn replays(compare: &Comparison, model: &AppModel, area: Rect, buffer
     };
     let aligned = compare.alignment.words();
     let text = format!("{:.3} ms{zoom}  {aligned}", compare.time(model) * 1e3);
-    put_right(buffer, area, (area.width - 1, 0), &text, theme.strong());
+    sheet.put_right((area.width - 1, 0), &text, theme.strong());
+    let time = |answer: &Answer| {
+        let time = compare.time(model) + compare.shift(answer);
+        time.clamp(0.0, answer.window())
+    };
     let count = entries.len() as u16;
     let rows = if count > 3 { 2 } else { 1 };
     let columns = count.div_ceil(rows);
     let (width, height) = (area.width / columns, (area.height - 1) / rows);
     for (i, entry) in entries.iter().enumerate() {
         let (column, row) = (i as u16 % columns, i as u16 / columns);
-        let place = Rect::new(
-            area.x + column * width,
-            area.y + 1 + row * height,
-            width,
-            height,
-        );
+        let place = &mut sheet.part((column * width, 1 + row * height), (width, height));
         let name = fitted(brief(&entry.name), usize::from(width) - 4);
-        put(buffer, place, (1, 0), &mark(i).to_string(), theme.curve(i));
-        put(buffer, place, (3, 0), &name, theme.strong());
-        let picture = Rect::new(place.x, place.y + 1, width - 1, height - 1);
+        place.put((1, 0), mark(i).to_string(), theme.curve(i));
+        place.put((3, 0), name, theme.strong());
+        let picture = &mut place.part((0, 1), (width - 1, height - 1));
         match &entry.found {
             Found::Answer(shown) => EyePicture {
                 largest,
                 field: field(shown),
                 blow: Some(&entry.scenario),
-                ..EyePicture::of(
-                    model,
-                    shown,
-                    (compare.time(model) + compare.shift(&shown.answer))
-                        .clamp(0.0, shown.answer.window()),
-                )
+                ..EyePicture::of(model, shown, time(&shown.answer))
             }
-            .draw(picture, buffer),
+            .draw(picture.area, picture.buffer),
             Found::Awaited => {
-                put(buffer, picture, (1, 1), "simulating", theme.quiet());
+                picture.put((1, 1), "simulating", theme.quiet());
             }
             Found::Refused(why) => {
-                let why = fitted(why, usize::from(picture.width) - 1);
-                put(buffer, picture, (1, 1), &why, theme.error());
+                let why = fitted(why, usize::from(picture.area.width) - 1);
+                picture.put((1, 1), &why, theme.error());
             }
         }
     }

@@ -1,18 +1,16 @@
 //! Several presets: the list to mark, the table with overlaid curves, the replays on one clock.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::many::comparison::ComparisonColumn;
-use crate::many::comparison::Found;
+use crate::many::comparison::{ComparisonColumn, Found};
 use crate::report::risks::first_line;
 use crate::tui::changing::began_as;
 use crate::tui::model::AppModel;
 use crate::tui::view::chart::mark;
 use crate::tui::view::risks::longest;
-use crate::tui::view::text::{fitted, longest_fitting, put, put_lines, put_right, width, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
 use crate::tui::work::brief;
 
 use crate::tui::screens::compare::cell::cell;
@@ -26,11 +24,11 @@ pub const QUESTION: &str = "Which is worse?";
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
 
 /// Draws the screen.
-pub fn draw(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
+pub fn draw(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     match compare.pane {
-        TABLE => with_table(compare, model, area, buffer),
-        REPLAYS => replays(compare, model, area, buffer),
-        _ => with_list(compare, model, area, buffer),
+        TABLE => with_table(compare, model, sheet),
+        REPLAYS => replays(compare, model, sheet),
+        _ => with_list(compare, model, sheet),
     }
 }
 
@@ -75,22 +73,16 @@ fn first_listed(compare: &Comparison, room: u16) -> usize {
 }
 
 /// The names of the panes, and at the right how far things are, or else `text`.
-pub(super) fn heading(
-    compare: &Comparison,
-    model: &AppModel,
-    area: Rect,
-    text: &str,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
+pub(super) fn heading(compare: &Comparison, text: &str, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     for (i, (x, name)) in headings().enumerate() {
         let here = i == compare.pane;
         let style = if here { theme.focus() } else { theme.text() };
-        put(buffer, area, (x, 0), &name, style);
+        sheet.put((x, 0), &name, style);
     }
     let said = progress(compare);
     let text = if said.is_empty() { text } else { &said };
-    put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
+    sheet.put_right((area.width - 1, 0), text, theme.quiet());
 }
 
 /// How far simulations and what completes them are.
@@ -112,16 +104,15 @@ fn marked(compare: &Comparison) -> String {
     format!("{} marked, w takes a page", compare.entries.len())
 }
 
-fn with_list(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    heading(compare, model, area, &marked(compare), buffer);
+fn with_list(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    heading(compare, &marked(compare), sheet);
     let wide = list_width(area);
-    let list = Rect::new(area.x, area.y + 1, wide, area.height - 1);
     let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
-    let room = usize::from(list.height);
-    let first = first_listed(compare, list.height);
+    let room = usize::from(area.height - 1);
+    let first = first_listed(compare, area.height - 1);
     for (i, name) in names.enumerate().skip(first).take(room) {
-        let y = (i - first) as u16;
+        let y = 1 + (i - first) as u16;
         let entries = &compare.entries;
         let same = |entry: &Marked| began_as(&entry.name, name);
         let place = entries.iter().position(same);
@@ -138,33 +129,29 @@ fn with_list(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Bu
         };
         let text = fitted(brief(&called), usize::from(wide) - 6);
         let lit = place.map_or(theme.text(), |at| theme.curve(at));
-        put(buffer, list, (1, y), &sign, lit);
-        put(buffer, list, (5, y), &text, style);
+        sheet.put((1, y), sign, lit);
+        sheet.put((5, y), text, style);
     }
-    let charts = Rect::new(
-        area.x + wide,
-        area.y + 1,
-        area.width - wide,
-        area.height - 1,
-    );
+    let charts = &mut sheet.part((wide, 1), (area.width - wide, area.height - 1));
     if compare.entries.is_empty() {
         let texts = [
             "Space marks the preset under the cursor,",
             "/ finds presets by letters and marks them, with a speed: squash@30",
         ];
-        let room = usize::from(charts.width.saturating_sub(2));
+        let room = usize::from(charts.area.width.saturating_sub(2));
         let lines = texts.iter().flat_map(|text| wrapped(text, room));
-        put_lines(buffer, charts, (1, 1), lines, theme.quiet());
+        charts.put_lines((1, 1), lines, theme.quiet());
     } else {
-        overlaid(compare, model, compare.curve(), charts, buffer);
+        overlaid(compare, model, compare.curve(), charts);
     }
 }
 
 /// The least rows of the chart below the table.
 const CHART: u16 = 5;
 
-fn with_table(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    heading(compare, model, area, &marked(compare), buffer);
+fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
+    let area = sheet.area;
+    heading(compare, &marked(compare), sheet);
     let count = compare.entries.len() as u16;
     let numbers = columns(compare, area);
     let room = area.height - 1;
@@ -172,12 +159,12 @@ fn with_table(compare: &Comparison, model: &AppModel, area: Rect, buffer: &mut B
     let fits = |each: &u16| 2 + each * count + CHART <= room;
     let each = (1..=3).rev().find(fits).unwrap_or(1);
     let rows = (2 + each * count).min(room);
-    let table_area = Rect::new(area.x, area.y + 1, area.width, rows);
-    table(compare, model, each, &numbers, table_area, buffer);
+    let place = &mut sheet.part((0, 1), (area.width, rows));
+    table(compare, model, each, &numbers, place);
     let below = room - rows;
     if below >= CHART {
-        let place = Rect::new(area.x, table_area.bottom(), area.width, below);
-        overlaid(compare, model, compare.curve(), place, buffer);
+        let place = &mut sheet.part((0, 1 + rows), (area.width, below));
+        overlaid(compare, model, compare.curve(), place);
     }
 }
 
@@ -209,10 +196,9 @@ fn table(
     model: &AppModel,
     each: u16,
     numbers: &[(ComparisonColumn, u16)],
-    area: Rect,
-    buffer: &mut Buffer,
+    sheet: &mut Sheet,
 ) {
-    let theme = Theme::of(model.look);
+    let (area, theme) = (sheet.area, sheet.theme);
     let focused = compare.pane == TABLE && model.overlay.is_none();
     for &(column, right) in std::iter::once(&(ComparisonColumn::Name, 0)).chain(numbers) {
         let (name, unit) = title(column);
@@ -225,60 +211,44 @@ fn table(
         let style = if here { theme.focus() } else { theme.heading() };
         let text = format!("{sign}{name}");
         if column == ComparisonColumn::Name {
-            put(buffer, area, (1, 0), &text, style);
+            sheet.put((1, 0), &text, style);
         } else {
-            put_right(buffer, area, (right, 0), &text, style);
-            put_right(buffer, area, (right, 1), unit, theme.quiet());
+            sheet.put_right((right, 0), &text, style);
+            sheet.put_right((right, 1), unit, theme.quiet());
         }
     }
     let hidden = compare.columns().len() - 1 - numbers.len();
     if hidden > 0 {
         let text = format!("←→ {hidden} more");
-        put(buffer, area, (1, 1), &text, theme.quiet());
+        sheet.put((1, 1), &text, theme.quiet());
     }
     for (i, entry) in compare.sorted().into_iter().enumerate() {
         let at = compare.entries.iter().position(|e| e.name == entry.name);
         let here = focused && i == compare.entry;
-        let place = Rect {
-            y: area.y + 2 + each * i as u16,
-            height: each,
-            ..area
-        };
-        row(model, entry, (at.unwrap_or(0), numbers), place, buffer);
+        let place = &mut sheet.part((0, 2 + each * i as u16), (area.width, each));
+        row(entry, (at.unwrap_or(0), numbers), place);
         if here {
-            put(buffer, place, (0, 0), "▸", theme.strong());
+            place.put((0, 0), "▸", theme.strong());
         }
     }
 }
 
-fn row(
-    model: &AppModel,
-    entry: &Marked,
-    (place, numbers): (usize, &[(ComparisonColumn, u16)]),
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
+fn row(entry: &Marked, (place, numbers): (usize, &[(ComparisonColumn, u16)]), sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let room = usize::from(NAME) - 3;
     let sign = mark(place).to_string();
-    put(buffer, area, (1, 0), &sign, theme.curve(place));
-    put(
-        buffer,
-        area,
-        (3, 0),
-        &fitted(brief(&entry.name), room),
-        theme.strong(),
-    );
+    sheet.put((1, 0), &sign, theme.curve(place));
+    sheet.put((3, 0), fitted(brief(&entry.name), room), theme.strong());
     // In a row of one line what there is to say stands beside the name.
     let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
     let wide = usize::from(area.width.saturating_sub(said.0 + 1));
     let answer = match &entry.found {
         Found::Awaited => {
-            put(buffer, area, said, "simulating", theme.quiet());
+            sheet.put(said, "simulating", theme.quiet());
             return;
         }
         Found::Refused(why) => {
-            put(buffer, area, said, &fitted(why, wide), theme.error());
+            sheet.put(said, fitted(why, wide), theme.error());
             return;
         }
         Found::Answer(shown) => &shown.answer,
@@ -289,8 +259,8 @@ fn row(
             ComparisonColumn::Result(_) if answer.spoiled().is_some() => theme.quiet(),
             _ => theme.text(),
         };
-        put_right(buffer, area, (right, 0), &value, style);
-        put_right(buffer, area, (right, 1), &error, theme.quiet());
+        sheet.put_right((right, 0), &value, style);
+        sheet.put_right((right, 1), &error, theme.quiet());
     }
     if !answer.flags.is_empty() {
         let flags = answer.flags.iter().map(|flag| flag.kind.words());
@@ -304,13 +274,11 @@ fn row(
             ),
         ];
         let text = longest_fitting(&texts, room as u16);
-        put(buffer, area, (3, 1), text, theme.warning());
+        sheet.put((3, 1), text, theme.warning());
     }
-    put(
-        buffer,
-        area,
+    sheet.put(
         (3, 2),
-        &belief(answer, usize::from(area.width) - 4),
+        belief(answer, usize::from(area.width) - 4),
         theme.text(),
     );
 }

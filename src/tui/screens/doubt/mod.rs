@@ -5,8 +5,7 @@ mod view;
 use crate::tui::ensemble::MANY;
 use crate::tui::keys::TimeKeys;
 use crate::tui::model::AppModel;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use crate::tui::view::sheet::Sheet;
 
 use crate::tui::keys::press::{DOWN, UP, c};
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
@@ -51,8 +50,8 @@ const STOPPED_KEYS: PaneKeys<Doubt> = PaneKeys::when(
 );
 
 impl Screen for Doubt {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        view::draw(self.row, model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        view::draw(self.row, model, sheet);
     }
 
     fn samples(&self) -> u32 {

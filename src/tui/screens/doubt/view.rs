@@ -4,8 +4,6 @@
 //! Each band has a scale of its own, from the least to the greatest of band and nominal value; a
 //! diamond stands where the scenario as it is lies. So shapes compare, and numbers stand beside.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
@@ -17,15 +15,12 @@ use crate::report::figure::allowing;
 use crate::report::format::{digits, percent};
 use crate::report::risks::range;
 use crate::run::quantity::Quantity;
-use crate::tui::ensemble::shown_band;
-use crate::tui::ensemble::{FIRST, RunSamples, is_whole};
+use crate::tui::ensemble::{FIRST, RunSamples, is_whole, shown_band};
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
 use crate::tui::task::Job;
-use crate::tui::view::text::{
-    fitted, longest_fitting, numeral, put, put_both, put_lines, put_right, seen, whole_sentences,
-    wrapped,
-};
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Columns of a result's name, and of each of its three numbers.
@@ -41,15 +36,15 @@ const NOTES: u16 = 4;
 const MARGIN: f64 = 0.06;
 
 /// Draws the screen.
-pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn draw(row: usize, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let (said, style) = status(model, theme);
     let titles = [
         "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
         "How sure? 5 to 95 %, risks 10 to 90 %",
         "How sure?",
     ];
-    put_both(buffer, area, (&titles, theme.heading()), (&said, style));
+    sheet.put_both((&titles, theme.heading()), (&said, style));
     // Bands of another scenario would be taken for those of this one.
     let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
         let complaint = model.ensemble.complaint(&model.work.scenario);
@@ -64,14 +59,14 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
             lines.push(String::new());
             lines
         });
-        put_lines(buffer, area, (1, 2), lines, theme.text());
+        sheet.put_lines((1, 2), lines, theme.text());
         return;
     };
     let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
     let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
     let results = listed(ensemble);
     let chosen = row.min(results.len().saturating_sub(1));
-    heading(area, theme, buffer);
+    heading(sheet);
     let room = usize::from(area.width - 2);
     let notes = notes(ensemble, answer);
     // The step error alone is said only where there is room.
@@ -82,12 +77,11 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let shown = results.len().min(free);
     let first = (chosen + 1).saturating_sub(shown);
     for (row, of) in results.iter().skip(first).take(shown).enumerate() {
-        let line = Rect::new(area.x, area.y + 2 + row as u16, area.width, 1);
         let of = (*of, first + row == chosen);
-        result((ensemble, answer), of, theme, line, buffer);
+        result((ensemble, answer), of, &mut sheet.row(2 + row as u16));
     }
     let text = seen(first, shown, results.len());
-    put(buffer, area, (1, 1), &text, theme.quiet());
+    sheet.put((1, 1), &text, theme.quiet());
     let gap = u16::from(shown < free);
     let top = 2 + shown as u16 + gap;
     let below = area.height.saturating_sub(top);
@@ -96,11 +90,11 @@ pub fn draw(row: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let kept = notes.len() as u16;
     if let Some(of) = results.get(chosen) {
         let height = below.saturating_sub(kept);
-        let field = Rect::new(area.x, area.y + top, area.width, height);
-        drivers(ensemble, *of, theme, field, buffer);
+        let field = &mut sheet.part((0, top), (area.width, height));
+        drivers(ensemble, *of, field);
     }
     let first = area.height.saturating_sub(kept);
-    put_lines(buffer, area, (1, first), &notes, theme.quiet());
+    sheet.put_lines((1, first), &notes, theme.quiet());
 }
 
 /// The results that have bands: first the risks, the gravest first, which are the answer.
@@ -145,37 +139,31 @@ fn status(model: &AppModel, theme: Theme) -> (String, Style) {
     }
 }
 
-fn heading(area: Rect, theme: Theme, buffer: &mut Buffer) {
+fn heading(sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     for (i, word) in ["low", "median", "high"].iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
-        put_right(buffer, area, (right, 1), word, theme.quiet());
+        sheet.put_right((right, 1), word, theme.quiet());
     }
     let room = area.width - LABEL - 4 - 3 * NUMBER;
     let text = longest_fitting(&["◆ as entered   answer", "answer"], room);
-    put_right(buffer, area, (area.width - 1, 1), text, theme.quiet());
+    sheet.put_right((area.width - 1, 1), text, theme.quiet());
 }
 
 fn result(
     (ensemble, answer): (&Ensemble, Option<&Answer>),
     (of, chosen): (Quantity, bool),
-    theme: Theme,
-    area: Rect,
-    buffer: &mut Buffer,
+    sheet: &mut Sheet,
 ) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let Some((band, _)) = shown_band(ensemble, answer, of) else {
         return;
     };
     let style = if chosen { theme.strong() } else { theme.text() };
     let sign = if chosen { "▸" } else { " " };
-    put(buffer, area, (0, 0), sign, theme.strong());
+    sheet.put((0, 0), sign, theme.strong());
     let name = format!("{} {}", of.label(), of.row().unit);
-    put(
-        buffer,
-        area,
-        (1, 0),
-        &fitted(&name, usize::from(LABEL + 1)),
-        style,
-    );
+    sheet.put((1, 0), fitted(&name, usize::from(LABEL + 1)), style);
     for (i, value) in [band.low, band.median, band.high].into_iter().enumerate() {
         let right = LABEL + 2 + NUMBER * (i as u16 + 1);
         let text = if of.is_risk() {
@@ -186,21 +174,22 @@ fn result(
         // One column is kept free, so that numbers do not touch.
         let texts = [text, numeral(value, NUMBER - 1)];
         let text = longest_fitting(&texts, NUMBER - 1);
-        put_right(buffer, area, (right, 0), text, style);
+        sheet.put_right((right, 0), text, style);
     }
     if let Some(range) = answer.and_then(|answer| range(answer, of)) {
-        put_right(buffer, area, (area.width - 1, 0), &range, theme.text());
+        sheet.put_right((area.width - 1, 0), &range, theme.text());
     }
     let left = LABEL + 4 + 3 * NUMBER;
     if left + OWN + 8 < area.width {
-        let field = Rect::new(area.x + left, area.y, area.width - left - OWN - 1, 1);
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
-        strip(band, nominal, theme, field, buffer);
+        let field = (area.width - left - OWN - 1, 1);
+        strip(band, nominal, &mut sheet.part((left, 0), field));
     }
 }
 
 /// A band as a line with its median, and the nominal value.
-fn strip(band: Band, nominal: Option<f64>, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn strip(band: Band, nominal: Option<f64>, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let own = nominal.unwrap_or(band.median);
     let (low, high) = (band.low.min(own), band.high.max(own));
     let wide = high - low;
@@ -215,19 +204,20 @@ fn strip(band: Band, nominal: Option<f64>, theme: Theme, area: Rect, buffer: &mu
     };
     let (from, to) = (place(band.low), place(band.high));
     for x in from..=to {
-        put(buffer, area, (x, 0), "─", theme.curve(0));
+        sheet.put((x, 0), "─", theme.curve(0));
     }
-    put(buffer, area, (from, 0), "├", theme.curve(0));
-    put(buffer, area, (to, 0), "┤", theme.curve(0));
-    put(buffer, area, (place(band.median), 0), "┃", theme.cursor());
+    sheet.put((from, 0), "├", theme.curve(0));
+    sheet.put((to, 0), "┤", theme.curve(0));
+    sheet.put((place(band.median), 0), "┃", theme.cursor());
     if let Some(value) = nominal {
-        put(buffer, area, (place(value), 0), "◆", theme.warning());
+        sheet.put((place(value), 0), "◆", theme.warning());
     }
 }
 
-fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let text = format!("What drives {}: rank correlation", result.label());
-    let end = put(buffer, area, (1, 0), &text, theme.heading());
+    let end = sheet.put((1, 0), &text, theme.heading());
     let rows = usize::from(area.height.saturating_sub(1));
     let all = ensemble.inputs.len();
     if rows < all {
@@ -236,11 +226,11 @@ fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buff
             format!("{rows} of {all}"),
         ];
         let text = longest_fitting(&texts, area.width - end - 3);
-        put_right(buffer, area, (area.width - 1, 0), text, theme.quiet());
+        sheet.put_right((area.width - 1, 0), text, theme.quiet());
     }
     if ensemble.inputs.is_empty() {
         let text = "nothing was drawn: every input is held to be known";
-        put(buffer, area, (1, 1), text, theme.text());
+        sheet.put((1, 1), text, theme.text());
     }
     let wide = area.width.saturating_sub(LABEL + 10);
     // Beside the bars there may be room for what the input was drawn from.
@@ -251,29 +241,19 @@ fn drivers(ensemble: &Ensemble, result: Quantity, theme: Theme, area: Rect, buff
         let of = &ensemble.inputs[input];
         let own = of.source.is_none();
         let style = if own { theme.strong() } else { theme.text() };
-        put(
-            buffer,
-            area,
-            (1, row),
-            &fitted(of.field.label, usize::from(LABEL)),
-            style,
-        );
+        sheet.put((1, row), fitted(of.field.label, usize::from(LABEL)), style);
         let number = hundredths(correlation);
-        put_right(buffer, area, (LABEL + 7, row), &number, theme.text());
+        sheet.put_right((LABEL + 7, row), &number, theme.text());
         let length = (correlation.abs() * f64::from(half)).round() as u16;
-        put(buffer, area, (middle, row), "│", theme.line());
+        sheet.put((middle, row), "│", theme.line());
         for i in 1..=length.min(half) {
-            let x = if correlation < 0.0 {
-                middle - i
-            } else {
-                middle + i
-            };
-            let curve = theme.curve(usize::from(correlation > 0.0));
-            put(buffer, area, (x, row), "█", curve);
+            let right = correlation > 0.0;
+            let x = if right { middle + i } else { middle - i };
+            sheet.put((x, row), "█", theme.curve(right.into()));
         }
         if said > 0 {
             let text = fitted(&distribution(of), usize::from(said - 2));
-            put(buffer, area, (area.width - said, row), &text, theme.quiet());
+            sheet.put((area.width - said, row), &text, theme.quiet());
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The form at the left of the main screen.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::report::format::digits;
@@ -11,8 +10,9 @@ use crate::tui::model::AppModel;
 use crate::tui::overlay::Overlay;
 use crate::tui::screens::main::pulse;
 use crate::tui::view::PURPOSE;
-use crate::tui::view::text::{fitted, put, put_lines, put_right, width, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::popup::input;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{fitted, width, wrapped};
 
 /// The places of the panes.
 pub const FORM: usize = 0;
@@ -21,8 +21,8 @@ pub const DIAL: usize = 1;
 const MAX_NOTE_LINES: usize = 7;
 
 /// Draws the form.
-pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     // A name to save under stands in front without taking the form away.
     let in_front = matches!(model.overlay, None | Some(Overlay::Name(..)));
     let focused = pane == FORM && in_front;
@@ -33,8 +33,7 @@ pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let shown = visible(model, pane, area);
     for (y, row) in shown.iter().enumerate() {
         let chosen = *row == model.form.selected;
-        let line = Rect::new(area.x, area.y + y as u16, area.width, 1);
-        draw_row(model, *row, (chosen, focused), line, buffer);
+        draw_row(model, *row, (chosen, focused), &mut sheet.row(y as u16));
     }
     let used = shown.len() as u16;
     let style = match note.1 {
@@ -43,13 +42,13 @@ pub fn draw(pane: usize, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         Tone::Warning => theme.warning(),
     };
     let lines = said.iter().take(MAX_NOTE_LINES);
-    put_lines(buffer, area, (1, used + 1), lines, style);
+    sheet.put_lines((1, used + 1), lines, style);
     let after = area.height - purpose.len() as u16;
     if after - bottom > 1 {
-        put(buffer, area, (1, bottom), UNVERIFIED, theme.warning());
+        sheet.put((1, bottom), UNVERIFIED, theme.warning());
     }
-    put(buffer, area, (1, after - 1), model.material(), theme.text());
-    put_lines(buffer, area, (1, after), &purpose, theme.quiet());
+    sheet.put((1, after - 1), model.material(), theme.text());
+    sheet.put_lines((1, after), &purpose, theme.quiet());
 }
 
 /// What the mark beside a value means.
@@ -165,16 +164,10 @@ fn described(model: &AppModel) -> String {
     }
 }
 
-fn draw_row(
-    model: &AppModel,
-    row: FormRow,
-    (chosen, focused): (bool, bool),
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
+fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let mark = if chosen && focused { "▸" } else { " " };
-    put(buffer, area, (0, 0), mark, theme.strong());
+    sheet.put((0, 0), mark, theme.strong());
     let style = if chosen && focused {
         theme.strong()
     } else {
@@ -185,14 +178,8 @@ fn draw_row(
             let mark = if model.is_edited() { " *" } else { "" };
             let name = format!("{}{mark}", model.work.name());
             let name = fitted(&name, usize::from(area.width - 2));
-            put(
-                buffer,
-                area,
-                (1, 0),
-                label_within("Preset", &name, area.width),
-                style,
-            );
-            value(model, &name, chosen && focused, area, buffer);
+            sheet.put((1, 0), label_within("Preset", &name, area.width), style);
+            value(&name, chosen && focused, sheet);
         }
         FormRow::Fold => {
             let count = FIELDS.len();
@@ -206,30 +193,24 @@ fn draw_row(
             } else {
                 theme.text()
             };
-            put(buffer, area, (1, 0), &text, style);
+            sheet.put((1, 0), &text, style);
         }
         FormRow::Field(field) => match &model.form.typing {
             Some(typing) if chosen => {
-                put(buffer, area, (1, 0), field.label, style);
-                typed(model, typing, area, buffer);
+                sheet.put((1, 0), field.label, style);
+                typed(typing, sheet);
             }
             _ => {
                 let doubtful = is_unverified(&model.work.scenario, field);
                 let marked = if doubtful { 2 } else { 0 };
                 let room = area.width - marked;
                 let text = fitted(&shown_value(model, field), usize::from(room - 2));
-                put(
-                    buffer,
-                    area,
-                    (1, 0),
-                    label_within(field.label, &text, room),
-                    style,
-                );
+                sheet.put((1, 0), label_within(field.label, &text, room), style);
                 if doubtful {
                     let right = area.width.saturating_sub(width(&text) + 1);
-                    put_right(buffer, area, (right, 0), "?", theme.warning());
+                    sheet.put_right((right, 0), "?", theme.warning());
                 }
-                value(model, &text, chosen && focused, area, buffer);
+                value(&text, chosen && focused, sheet);
             }
         },
     }
@@ -244,10 +225,10 @@ fn label_within<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
     shorter.into_iter().find(fits).unwrap_or("")
 }
 
-fn value(model: &AppModel, text: &str, lit: bool, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn value(text: &str, lit: bool, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let style = if lit { theme.focus() } else { theme.text() };
-    put_right(buffer, area, (area.width, 0), text, style);
+    sheet.put_right((area.width, 0), text, style);
 }
 
 /// A value with its unit, in a person's words.
@@ -301,17 +282,17 @@ fn spaced(name: &str) -> String {
 }
 
 /// A value being typed, with its cursor.
-fn typed(model: &AppModel, typing: &Typing, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn typed(typing: &Typing, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let label = width(typing.field.label) + 2;
     let room = area.width.saturating_sub(label).max(8).min(area.width - 1);
-    let field = Rect::new(area.x + area.width - room, area.y, room, 1);
+    let field = &mut sheet.part((area.width - room, 0), (room, 1));
     let style = if typing.error.is_some() {
         theme.error()
     } else {
         theme.strong()
     };
-    crate::tui::view::popup::input(&typing.input, style, theme.focus(), field, buffer);
+    input(&typing.input, style, field);
 }
 
 #[cfg(test)]

@@ -6,13 +6,11 @@ mod score;
 mod traces;
 mod view;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::mem::discriminant;
 
-use crate::scenario::Scenario;
-use crate::scenario::fields;
 use crate::scenario::fields::Field;
+use crate::scenario::{Scenario, fields};
 use crate::tui::changes::edit::change;
 use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::ensemble::FEW;
@@ -25,6 +23,7 @@ use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
 use crate::tui::view::eye;
+use crate::tui::view::sheet::Sheet;
 use form::{DIAL, FORM};
 
 /// Small steps in place of a large one, at most.
@@ -208,8 +207,8 @@ fn furthest(
 }
 
 impl Screen for Main {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        view::draw((self.pane, self.nodes), model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        view::draw((self.pane, self.nodes), model, sheet);
     }
 
     fn pane(&self) -> usize {

@@ -1,8 +1,6 @@
 //! What limits the answer, and the paper's index: a line or a gauge with its three parts against
 //! their limits; where there are no risks, what is not known of the inputs.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::injury::Term;
@@ -14,14 +12,15 @@ use crate::run::quantity::Quantity;
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
 use crate::tui::view::risks::{comes, limits, rows};
-use crate::tui::view::text::{longest_fitting, put, put_lines, put_right, width, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{longest_fitting, width, wrapped};
 
 /// What the screen answers.
 pub const QUESTION: &str = "How bad?";
 
 /// A bar of a share of its width, the threshold at its end.
-fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn bar(share: f64, style: Style, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     if area.width == 0 {
         return;
     }
@@ -29,13 +28,13 @@ fn bar(share: f64, style: Style, theme: Theme, area: Rect, buffer: &mut Buffer) 
     let filled = (share.clamp(0.0, 1.0) * cells).round() as u16;
     for x in 0..area.width {
         if x < filled {
-            put(buffer, area, (x, 0), "█", style);
+            sheet.put((x, 0), "█", style);
         } else {
-            put(buffer, area, (x, 0), "░", theme.quiet());
+            sheet.put((x, 0), "░", theme.quiet());
         }
     }
     if share > 1.0 {
-        put(buffer, area, (area.width - 1, 0), "▶", style);
+        sheet.put((area.width - 1, 0), "▶", style);
     }
 }
 
@@ -46,8 +45,8 @@ pub const BLOCK: u16 = 4;
 
 /// Draws what to believe of each injury in `each` rows, or why nothing is said and what is not
 /// known of the inputs.
-pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let heading = match model.stale() {
         Some(why) => (format!("{QUESTION} {why}"), theme.warning()),
         None if shown.answer.risks().is_empty() => (QUESTION.to_owned(), theme.heading()),
@@ -58,29 +57,23 @@ pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, area: Rect, buf
     };
     if !shown.answer.risks().is_empty() {
         let heading = (&heading.0[..], heading.1);
-        rows((model, &shown.answer), heading, (None, each), area, buffer);
+        rows(&shown.answer, heading, (None, each), sheet);
         return;
     }
-    put(buffer, area, (0, 0), &heading.0, heading.1);
+    sheet.put((0, 0), &heading.0, heading.1);
     let silence = wrapped(&first_line(&shown.answer), area.width.into());
-    put_lines(buffer, area, (0, 1), &silence, theme.strong());
+    sheet.put_lines((0, 1), &silence, theme.strong());
     let bands = bands(model, shown);
     let text = longest_fitting(&bands, area.width);
-    put(
-        buffer,
-        area,
-        (0, 1 + silence.len() as u16),
-        text,
-        theme.text(),
-    );
+    sheet.put((0, 1 + silence.len() as u16), text, theme.text());
 }
 
 /// Draws what limits the answer, or what the errors come from where nothing does.
-pub fn limited(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn limited(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let said = limits(model, &shown.answer, area.width.into(), area.height.into());
     if !said.is_empty() {
-        put_lines(buffer, area, (0, 0), &said, theme.warning());
+        sheet.put_lines((0, 0), &said, theme.warning());
         return;
     }
     let texts = match (&shown.answer.errors.mesh, model.idle) {
@@ -95,11 +88,12 @@ pub fn limited(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut B
         ],
     };
     let text = longest_fitting(&texts, area.width);
-    put(buffer, area, (0, 0), text, theme.quiet());
+    sheet.put((0, 0), text, theme.quiet());
 }
 
 /// Draws the index and its parts, or the bare figures of an index that means nothing.
-pub fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
+pub fn index(shown: &ShownAnswer, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let [long, short] = brief(shown);
     if unusable(&shown.answer).is_some() {
         let index = Figure::of(&shown.answer, Quantity::Damage);
@@ -110,7 +104,7 @@ pub fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer)
             format!("raw: index {index}"),
         ];
         let text = longest_fitting(&texts, area.width);
-        put(buffer, area, (0, 0), text, theme.quiet());
+        sheet.put((0, 0), text, theme.quiet());
     } else if area.height < BLOCK {
         let index = Figure::of(&shown.answer, Quantity::Damage);
         let rough = index
@@ -125,32 +119,32 @@ pub fn index(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer)
             format!("Index {rough}: {short}"),
         ];
         let text = longest_fitting(&texts, area.width);
-        put(buffer, area, (0, 0), text, theme.text());
+        sheet.put((0, 0), text, theme.text());
     } else {
-        gauges(shown, theme, area, buffer);
+        gauges(shown, sheet);
     }
 }
 
 /// The index with its gauge, and its parts.
-fn gauges(shown: &ShownAnswer, theme: Theme, area: Rect, buffer: &mut Buffer) {
+fn gauges(shown: &ShownAnswer, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let answer = &shown.answer;
-    let line = |y: u16| Rect::new(area.x, area.y + y, area.width, 1);
     let damage = answer.index().damage();
     if let Some(figure) = Figure::of(answer, Quantity::Damage) {
-        put(buffer, area, (0, 0), "Index", theme.heading());
-        let end = put(buffer, area, (6, 0), &figure.to_string(), theme.strong());
+        sheet.put((0, 0), "Index", theme.heading());
+        let end = sheet.put((6, 0), figure.to_string(), theme.strong());
         let texts = [format!(" ({SCALE})"), String::new()];
         let text = longest_fitting(&texts, area.width.saturating_sub(end + SHORTEST + 1));
-        let end = put(buffer, area, (end, 0), text, theme.quiet()) + 1;
-        let gauge = Rect::new(area.x + end, area.y, area.width.saturating_sub(end), 1);
+        let end = sheet.put((end, 0), text, theme.quiet()) + 1;
+        let gauge = &mut sheet.part((end, 0), (area.width.saturating_sub(end), 1));
         let share = damage / 100.0;
-        if gauge.width >= SHORTEST {
-            bar(share, theme.gauge(share), theme, gauge, buffer);
+        if gauge.area.width >= SHORTEST {
+            bar(share, theme.gauge(share), gauge);
         }
     }
     for (y, (of, term)) in (1..).zip(PARTS) {
         if let Some(value) = answer.result(of) {
-            part(shown, (of, value, term), theme, line(y), buffer);
+            part(shown, (of, value, term), &mut sheet.row(y));
         }
     }
 }
@@ -222,39 +216,34 @@ const TIMES: &str = " times its limit";
 const FINER: u16 = 36;
 
 /// One part of the index: its value, and how many times its limit that is.
-fn part(
-    shown: &ShownAnswer,
-    (of, value, term): (Quantity, f64, Term),
-    theme: Theme,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+fn part(shown: &ShownAnswer, (of, value, term): (Quantity, f64, Term), sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let (Some(figure), Some(times)) =
         (Figure::of(&shown.answer, of), times(shown, of, value, term))
     else {
         return;
     };
-    let end = put(buffer, area, (0, 0), of.row().label, theme.text());
+    let end = sheet.put((0, 0), of.row().label, theme.text());
     let texts = [format!("{times}{TIMES}"), format!("{times} of limit")];
     let room = area.width.saturating_sub(end + 2);
     let text = longest_fitting(&texts, room);
-    put_right(buffer, area, (area.width, 0), text, theme.strong());
+    sheet.put_right((area.width, 0), text, theme.strong());
     let right = area.width.saturating_sub(5 + width(TIMES) + 1);
     if right < FIGURE {
         return;
     }
-    put_right(buffer, area, (FIGURE, 0), &figure.to_string(), theme.text());
+    sheet.put_right((FIGURE, 0), figure.to_string(), theme.text());
     let mut left = FIGURE + 2;
     if let Some(limit) = alone(&shown.answer, of)
         && left + FINER + SHORTEST <= right
     {
         let text = format!("with ever finer mesh {limit}");
-        put(buffer, area, (left, 0), &text, theme.quiet());
+        sheet.put((left, 0), &text, theme.quiet());
         left += FINER;
     }
     if right >= left + SHORTEST {
         let share = value / term.threshold;
-        let field = Rect::new(area.x + left, area.y, right - left, 1);
-        bar(share, theme.gauge(share), theme, field, buffer);
+        let field = &mut sheet.part((left, 0), (right - left, 1));
+        bar(share, theme.gauge(share), field);
     }
 }

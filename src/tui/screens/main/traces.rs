@@ -1,7 +1,6 @@
 //! The curves of the main screen: force of contact, pressure and stretch of an eye that is hit, the
 //! node forces of the paper's, each with its peak, its error and its zero line.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
@@ -11,11 +10,10 @@ use crate::run::quantity::Quantity;
 use crate::run::trace::Trace;
 use crate::tui::model::AppModel;
 use crate::tui::shown::ShownAnswer;
-use crate::tui::view::below;
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
 use crate::tui::view::raster::Ink;
-use crate::tui::view::text::{put, put_right, width};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::width;
 
 /// The results whose curves are drawn beside the eye, with their peaks: the node forces where they
 /// are asked for and where there is nothing else.
@@ -89,13 +87,8 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
 }
 
 /// Draws the curves, each with its peak and when it came, and below them their time.
-pub fn draw(
-    model: &AppModel,
-    (shown, nodes): (&ShownAnswer, bool),
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = Theme::of(model.look);
+pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let Some(recorded) = &shown.answer.run.traces else {
         return;
     };
@@ -106,31 +99,26 @@ pub fn draw(
     // What comes before is little, and the eye beside it begins at rest.
     let span = (0.0, active(&recorded.time, drawn, window).1);
     let count = sparks.len().max(1) as u16;
-    let (area, axis) = if area.height > 2 * count {
-        let height = area.height - 1;
-        (Rect { height, ..area }, Some(below(area, height)))
-    } else {
-        (area, None)
-    };
-    if let Some(axis) = axis {
-        put(buffer, axis, (0, 0), "0", theme.quiet());
+    let mut height = area.height;
+    if height > 2 * count {
+        height -= 1;
+        sheet.put((0, height), "0", theme.quiet());
         let end = format!("{:.1} ms", span.1 * 1e3);
-        put_right(buffer, axis, (axis.width, 0), &end, theme.quiet());
+        sheet.put_right((area.width, height), end, theme.quiet());
     }
-    let each = (area.height / count).max(1);
+    let each = (height / count).max(1);
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
-        let top = area.y + each * i as u16;
+        let top = each * i as u16;
         let Some(figure) = Figure::of(&shown.answer, quantity) else {
             continue;
         };
-        if top >= area.y + area.height {
+        if top >= height {
             break;
         }
-        let row = Rect::new(area.x, top, area.width, 1);
         let (label, value, time) = caption(quantity, &figure, peak, area.width);
-        put(buffer, row, (0, 0), &label, theme.heading());
+        sheet.put((0, top), &label, theme.heading());
         let left = area.width - width(&time);
-        put(buffer, row, (left, 0), &time, theme.quiet());
+        sheet.put((left, top), &time, theme.quiet());
         let right = if time.is_empty() { left } else { left - 1 };
         let spoiled = shown.answer.spoiled().is_some();
         let style = if spoiled {
@@ -138,7 +126,7 @@ pub fn draw(
         } else {
             theme.strong()
         };
-        put_right(buffer, row, (right, 0), &value, style);
+        sheet.put_right((right, top), &value, style);
         let values = values(&quantity);
         if each < 2 || values.is_empty() {
             continue;
@@ -149,20 +137,20 @@ pub fn draw(
             factor: 1.0,
             ink: Ink::solid(theme.curve(i), 1, '*'),
         };
-        let field = Rect::new(area.x, top + 1, area.width, each - 1);
-        spark(curve, span, model.time(), model.look, field, buffer);
+        let field = &mut sheet.part((0, top + 1), (area.width, each - 1));
+        spark(curve, span, model.time(), field);
         if area.width < TIMED {
             // The peaks come early, so the end of the curve has room for a word.
             let time = format!(" {:.3} ms", peak.time * 1e3);
-            put_right(buffer, field, (area.width, 0), &time, theme.quiet());
+            field.put_right((area.width, 0), &time, theme.quiet());
         }
     }
 }
 
 /// Draws what else there is over time with its axes, as many as there is room for: the stress of
 /// the wall and how far the cornea is pushed in.
-pub fn charts(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let Some(traces) = &shown.answer.run.traces else {
         return;
     };
@@ -194,9 +182,8 @@ pub fn charts(model: &AppModel, shown: &ShownAnswer, area: Rect, buffer: &mut Bu
             }],
             span: active(&traces.time, std::iter::once(values), shown.answer.window()),
             cursor: model.time(),
-            look: model.look,
         }
-        .draw(place, buffer);
+        .draw(&mut sheet.at(place));
     }
 }
 

@@ -1,6 +1,5 @@
 //! The one screen that answers the question at the bedside: form, answers, eye, traces.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::injury::Injury;
@@ -12,8 +11,8 @@ use crate::tui::shown::ShownAnswer;
 use crate::tui::view::below;
 use crate::tui::view::eye::EyePicture;
 use crate::tui::view::risks::signs;
-use crate::tui::view::text::{put, put_lines, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::wrapped;
 
 /// Where the parts of the screen are.
 pub struct Layout {
@@ -121,36 +120,35 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
 }
 
 /// Draws the screen; `nodes` says whether the curves are those of node forces.
-pub fn draw((pane, nodes): (usize, bool), model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let parts = layout(area, model.form.advanced);
-    form::draw(pane, model, parts.form, buffer);
+    form::draw(pane, model, &mut sheet.at(parts.form));
     for y in 0..parts.right.height {
-        put(buffer, area, (parts.right.x - 1, y), "│", theme.line());
+        sheet.put((parts.right.x - 1, y), "│", theme.line());
     }
-    put_lines(
-        buffer,
-        parts.signs,
-        (0, 0),
-        signs(area.width),
+    let signs = signs(area.width);
+    sheet.put_lines(
+        (0, area.height - parts.signs.height),
+        signs,
         theme.heading(),
     );
     let Some(shown) = &model.shown else {
-        waiting(model, parts.right, buffer);
+        waiting(model, &mut sheet.at(parts.right));
         return;
     };
     if parts.wide {
         for y in 0..parts.right.height {
-            put(buffer, area, (parts.answers.x - 2, y), "│", theme.line());
+            sheet.put((parts.answers.x - 2, y), "│", theme.line());
         }
-        traces::charts(model, shown, parts.charts, buffer);
+        traces::charts(model, shown, &mut sheet.at(parts.charts));
     }
-    eye(model, shown, pane == DIAL, parts.eye, buffer);
-    traces::draw(model, (shown, nodes), parts.traces, buffer);
+    eye(model, shown, pane == DIAL, parts.eye, sheet);
+    traces::draw(model, (shown, nodes), &mut sheet.at(parts.traces));
     let each = if parts.wide { 2 } else { 1 };
-    score::answers(model, shown, each, parts.answers, buffer);
-    score::limited(model, shown, parts.limits, buffer);
-    score::index(shown, theme, parts.index, buffer);
+    score::answers(model, shown, each, &mut sheet.at(parts.answers));
+    score::limited(model, shown, &mut sheet.at(parts.limits));
+    score::index(shown, &mut sheet.at(parts.index));
     if model.stale().is_some() {
         // All but the line that says so.
         for part in [
@@ -160,25 +158,25 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, area: Rect, buffer: 
             parts.eye,
             parts.traces,
         ] {
-            buffer.set_style(part, theme.stale());
+            sheet.buffer.set_style(part, theme.stale());
         }
     }
 }
 
 /// Before the first result: what is being done, or why there is none.
-fn waiting(model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn waiting(model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let (text, style) = match (&model.run.complaint, form::simulating(model)) {
         (Some((_, why)), _) => (why.clone(), theme.error()),
         (None, Some(text)) => (text + "  (Esc cancels)", theme.text()),
         (None, None) => ("simulating".to_owned(), theme.text()),
     };
     let lines = wrapped(&text, usize::from(area.width - 2));
-    put_lines(buffer, area, (1, 1), &lines, style);
+    sheet.put_lines((1, 1), &lines, style);
 }
 
-fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
+fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
     let drawn = EyePicture {
@@ -186,7 +184,7 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
         aiming,
         ..EyePicture::of(model, shown, time)
     };
-    drawn.draw(drawn_in(picture, drawn.detail), buffer);
+    drawn.draw(drawn_in(picture, drawn.detail), sheet.buffer);
     if drawn.detail == MeshDetail::Anatomy {
         return;
     }
@@ -197,7 +195,7 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, buff
     let state = if model.clock.playing { "▶ " } else { "" };
     let caption = format!(" {state}{:.3} ms{zoom} ", time * 1e3);
     let style = [theme.heading(), theme.focus()][usize::from(aiming)];
-    put(buffer, picture, (0, 0), &caption, style);
+    sheet.at(picture).put((0, 0), &caption, style);
 }
 
 /// Where in a picture the eye itself is drawn: a mesh has its caption above it, the anatomy places

@@ -3,7 +3,6 @@
 pub mod state;
 mod view;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::many::map::Span;
@@ -17,6 +16,7 @@ use crate::tui::model::AppModel;
 use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::step::Step;
+use crate::tui::view::sheet::Sheet;
 use state::Map;
 
 pub(super) const ABOUT: About = About {
@@ -62,8 +62,8 @@ const STOPPED_KEYS: PaneKeys<Map> = PaneKeys::when(
 );
 
 impl Screen for Map {
-    fn draw(&self, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-        view::draw(self, model, area, buffer);
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        view::draw(self, model, sheet);
     }
 
     /// While the screen is on show, computes what is missing; stops what is not wanted.

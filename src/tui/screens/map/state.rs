@@ -9,6 +9,7 @@ use crate::run::watch::Watch;
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
+use crate::tui::ensemble;
 use crate::tui::request::TaskQuestion;
 use crate::tui::step::Step;
 use crate::tui::task::Task;
@@ -37,7 +38,7 @@ pub struct DrawMap {
     /// The scenario; what it holds of the two inputs does not matter.
     pub scenario: Scenario,
     /// The inputs: across and up.
-    pub spans: (Span, Span),
+    pub spans: [Span; 2],
     /// What is known already.
     pub known: Grid,
 }
@@ -58,16 +59,11 @@ impl TaskQuestion for DrawMap {
 
     fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Grid)) -> Result<Grid, Refusal> {
         Ok(run_watched(watch, show, |stop, progress| {
-            fill(
-                &self.scenario,
-                self.spans,
-                self.known.clone(),
-                stop,
-                &|grid| {
-                    let (known, all) = grid.known();
-                    progress.report(known as f64 / all as f64, || grid.clone())
-                },
-            )
+            let (spans, known) = (self.spans.into(), self.known.clone());
+            fill(&self.scenario, spans, known, stop, &|grid| {
+                let (known, all) = grid.known();
+                progress.report(known as f64 / all as f64, || grid.clone())
+            })
         }))
     }
 }
@@ -75,15 +71,15 @@ impl TaskQuestion for DrawMap {
 /// All that the screen knows.
 pub struct Map {
     /// The inputs: across and up.
-    pub spans: Option<(Span, Span)>,
+    pub spans: Option<[Span; 2]>,
     /// What came last, and of which scenario and inputs.
-    pub done: Option<(Scenario, (Span, Span), Grid)>,
+    pub done: Option<(Scenario, [Span; 2], Grid)>,
     /// What is under way, or that it was stopped.
     pub task: Task<DrawMap>,
     /// The result that was chosen, if one was; the scene may lack it.
     pub chosen: Option<Quantity>,
     /// Where the cursor stands on the finest grid.
-    pub cursor: (usize, usize),
+    pub cursor: [usize; 2],
     /// How far the ranges reach.
     reach: f64,
 }
@@ -95,7 +91,7 @@ impl Default for Map {
             done: None,
             task: Task::default(),
             chosen: None,
-            cursor: (SIDE / 2, SIDE / 2),
+            cursor: [SIDE / 2; 2],
             reach: REACH,
         }
     }
@@ -136,14 +132,10 @@ fn nearest(span: Span, value: f64) -> usize {
 }
 
 /// The scenario without what the two inputs say of it.
-fn key(scenario: &Scenario, (x, y): (Span, Span)) -> Scenario {
-    let mut bare = Scenario {
-        // No name would be refused.
-        name: "any".to_owned(),
-        ..scenario.clone()
-    };
+fn key(scenario: &Scenario, spans: [Span; 2]) -> Scenario {
+    let mut bare = ensemble::key(scenario);
     bare.doubt.clear();
-    for span in [x, y] {
+    for span in spans {
         set::put_number(&mut bare, span.field, span.from);
     }
     bare
@@ -157,45 +149,40 @@ impl Map {
             number(span.field, scenario)
                 .is_some_and(|(value, _)| (span.from..=span.to).contains(&value))
         };
-        if self.spans.is_some_and(|(x, y)| holds(&x) && holds(&y)) {
+        if self.spans.is_some_and(|spans| spans.iter().all(holds)) {
             return;
         }
-        let chosen = self.spans.map(|(x, y)| (x.field, y.field));
-        let first = PAIRS.iter().filter_map(|(x, y)| Some((find(x)?, find(y)?)));
-        self.spans = chosen.into_iter().chain(first).find_map(|(x, y)| {
-            Some((
-                span(x, scenario, self.reach)?,
-                span(y, scenario, self.reach)?,
-            ))
-        });
-        self.put_cursor_on_scenario(scenario, (true, true));
+        let chosen = self.spans.map(|spans| spans.map(|span| span.field));
+        let first = PAIRS.iter().filter_map(|(x, y)| Some([find(x)?, find(y)?]));
+        let of = |field| span(field, scenario, self.reach);
+        let mut pairs = chosen.into_iter().chain(first);
+        self.spans = pairs.find_map(|[x, y]| Some([of(x)?, of(y)?]));
+        self.put_cursor_on_scenario(scenario, &[0, 1]);
     }
 
-    /// Puts the cursor to what the scenario holds, across and up as is asked for.
-    fn put_cursor_on_scenario(&mut self, scenario: &Scenario, (across, up): (bool, bool)) {
-        let Some((x, y)) = self.spans else { return };
-        let own = |span: Span| number(span.field, scenario).map(|(value, _)| value);
-        if let Some(value) = own(x).filter(|_| across) {
-            self.cursor.0 = nearest(x, value);
-        }
-        if let Some(value) = own(y).filter(|_| up) {
-            self.cursor.1 = nearest(y, value);
+    /// Puts the cursor to what the scenario holds of these inputs.
+    fn put_cursor_on_scenario(&mut self, scenario: &Scenario, places: &[usize]) {
+        let Some(spans) = self.spans else { return };
+        for &i in places {
+            if let Some((value, _)) = number(spans[i].field, scenario) {
+                self.cursor[i] = nearest(spans[i], value);
+            }
         }
     }
 
     /// Takes the next field for the input across, or for the one up.
     pub fn turn(&mut self, scenario: &Scenario, across: bool) {
-        let Some((x, y)) = self.spans else { return };
-        let (own, other) = if across { (x, y) } else { (y, x) };
-        let here = FIELDS.iter().position(|f| f.path == own.field.path);
+        let Some(mut spans) = self.spans else { return };
+        let own = usize::from(!across);
+        let here = FIELDS.iter().position(|f| f.path == spans[own].field.path);
         let count = FIELDS.len();
         let next = (1..=count)
             .map(|i| &FIELDS[(here.unwrap_or(0) + i) % count])
-            .filter(|field| field.path != other.field.path)
+            .filter(|field| field.path != spans[1 - own].field.path)
             .find_map(|field| span(field, scenario, self.reach));
-        let next = next.unwrap_or(own);
-        self.spans = Some(if across { (next, other) } else { (other, next) });
-        self.put_cursor_on_scenario(scenario, (across, !across));
+        spans[own] = next.unwrap_or(spans[own]);
+        self.spans = Some(spans);
+        self.put_cursor_on_scenario(scenario, &[own]);
         self.task.complaint = None;
     }
 
@@ -203,14 +190,11 @@ impl Map {
     pub fn zoom(&mut self, scenario: &Scenario, wider: bool) {
         let factor = if wider { ZOOM } else { 1.0 / ZOOM };
         self.reach = (self.reach * factor).clamp(REACHES.0, REACHES.1);
-        if let Some((x, y)) = self.spans {
-            let values = self.values();
+        if let (Some(spans), Some(values)) = (self.spans, self.values()) {
             let again = |old: Span| span(old.field, scenario, self.reach).unwrap_or(old);
-            let (x, y) = (again(x), again(y));
-            self.spans = Some((x, y));
-            if let Some((a, b)) = values {
-                self.cursor = (nearest(x, a), nearest(y, b));
-            }
+            let spans = spans.map(again);
+            self.spans = Some(spans);
+            self.cursor = [0, 1].map(|i| nearest(spans[i], values[i]));
             self.task.complaint = None;
         }
     }
@@ -218,16 +202,9 @@ impl Map {
     /// Moves the cursor: across, or up.
     pub fn step(&mut self, step: Step, across: bool) {
         let by = if step.coarse { 4 } else { 1 };
-        let at = if across {
-            &mut self.cursor.0
-        } else {
-            &mut self.cursor.1
-        };
-        *at = if step.up {
-            (*at + by).min(SIDE - 1)
-        } else {
-            at.saturating_sub(by)
-        };
+        let by = if step.up { by } else { -by };
+        let at = &mut self.cursor[usize::from(!across)];
+        *at = at.saturating_add_signed(by).min(SIDE - 1);
     }
 
     /// What is known of this scenario over the present inputs.
@@ -251,16 +228,15 @@ impl Map {
     }
 
     /// The values of the inputs under the cursor.
-    pub fn values(&self) -> Option<(f64, f64)> {
-        let (x, y) = self.spans?;
-        let value = |span: Span, at: usize| spaced(span.from, span.to, SIDE)[at];
-        Some((value(x, self.cursor.0), value(y, self.cursor.1)))
+    pub fn values(&self) -> Option<[f64; 2]> {
+        let spans = self.spans?;
+        let value = |i: usize| spaced(spans[i].from, spans[i].to, SIDE)[self.cursor[i]];
+        Some([0, 1].map(value))
     }
 
     /// Where the cursor stands, from 0 to 1.
     pub fn place(&self) -> (f64, f64) {
-        let share = |at: usize| at as f64 / (SIDE - 1) as f64;
-        (share(self.cursor.0), share(self.cursor.1))
+        self.cursor.map(|at| at as f64 / (SIDE - 1) as f64).into()
     }
 
     /// The result on show: the chosen one where the map has it, else rupture, else damage.
@@ -289,34 +265,22 @@ impl Map {
         grid.read(quantity, self.place())
     }
 
-    /// Whether the cursor was moved away from what the scenario holds: across, and up.
-    fn moved(&self, scenario: &Scenario) -> Option<(bool, bool)> {
-        let (x, y) = self.spans?;
-        let moved = |span: Span, at: usize| {
+    /// The inputs that the cursor was moved over, away from what the scenario holds, each with its
+    /// value there, and the scenario with those.
+    pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
+        let (spans, values) = (self.spans?, self.values()?);
+        let moved = |i: &usize| {
+            let (span, at) = (spans[*i], self.cursor[*i]);
             let own = number(span.field, scenario).map(|(value, _)| value);
             own.is_none_or(|own| !(span.from..=span.to).contains(&own) || nearest(span, own) != at)
         };
-        Some((moved(x, self.cursor.0), moved(y, self.cursor.1)))
-    }
-
-    /// The inputs that the cursor was moved over, each with its value there, and the scenario with
-    /// those.
-    pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
-        let ((x, y), (across, up)) = (self.spans?, self.moved(scenario)?);
-        let (a, b) = self.values()?;
+        let moved = (0..2).filter(moved).map(|i| (spans[i], values[i]));
+        let moved: Vec<_> = moved.collect();
         let mut changed = scenario.clone();
-        let moved = [(x, a, across), (y, b, up)].into_iter();
-        let moved: Vec<_> = moved.filter(|(_, _, moved)| *moved).collect();
-        for (span, value, _) in &moved {
+        for (span, value) in &moved {
             set::put_number(&mut changed, span.field, *value);
         }
-        Some((
-            moved
-                .into_iter()
-                .map(|(span, value, _)| (span, value))
-                .collect(),
-            changed,
-        ))
+        Some((moved, changed))
     }
 }
 
@@ -331,7 +295,7 @@ mod tests {
         let scenario = Scenario::default();
         let mut map = Map::default();
         map.settle(&scenario);
-        let (x, y) = map.spans.unwrap();
+        let [x, y] = map.spans.unwrap();
         assert_eq!(
             (x.field.path, y.field.path),
             ("impact.force_n", "impact.duration_ms")
@@ -339,7 +303,7 @@ mod tests {
         assert_eq!((x.from, x.to), (100.0, 900.0));
         for _ in 0..60 {
             map.turn(&scenario, true);
-            let (x, y) = map.spans.unwrap();
+            let [x, y] = map.spans.unwrap();
             assert_ne!(x.field.path, y.field.path);
             assert!(x.from < x.to && y.field.path == "impact.duration_ms");
         }
@@ -351,13 +315,13 @@ mod tests {
         let mut map = Map::default();
         map.settle(&scenario);
         let near = |map: &Map, force: f64| {
-            let (x, _) = map.spans.unwrap();
+            let [x, _] = map.spans.unwrap();
             let step = (x.to - x.from) / (SIDE - 1) as f64;
-            assert!((map.values().unwrap().0 - force).abs() <= 0.51 * step);
+            assert!((map.values().unwrap()[0] - force).abs() <= 0.51 * step);
         };
         near(&map, 300.0);
         map.step(Step::MUCH_MORE, true);
-        let force = map.values().unwrap().0;
+        let force = map.values().unwrap()[0];
         map.zoom(&scenario, true);
         near(&map, force);
         map.turn(&scenario, false);
@@ -373,7 +337,7 @@ mod tests {
         for wider in [true, false] {
             for _ in 0..30 {
                 map.zoom(&scenario, wider);
-                let (x, y) = map.spans.unwrap();
+                let [x, y] = map.spans.unwrap();
                 for span in [x, y] {
                     let (_, bounds) = number(span.field, &scenario).unwrap();
                     assert!(
@@ -410,7 +374,7 @@ mod tests {
             grid.put(at, Spot::Known(PerQuantity::from_fn(damage)));
         }
         map.done = Some((question.scenario, question.spans, grid));
-        map.cursor = (4, 12);
+        map.cursor = [4, 12];
         let (moved, adopted) = map.adopted(&scenario).unwrap();
         assert!(moved.len() == 2 && adopted != scenario);
         let grid = map.grid(&adopted).unwrap();

@@ -7,7 +7,6 @@
 
 use std::collections::BTreeSet;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
@@ -24,7 +23,8 @@ use crate::scenario::set::put_number;
 use crate::tui::model::AppModel;
 use crate::tui::screens::map::state::{Map, rounded};
 use crate::tui::view::chart::axis_lines;
-use crate::tui::view::text::{fitted, put, put_both, put_lines, put_right, width, wrapped};
+use crate::tui::view::sheet::{Sheet, along};
+use crate::tui::view::text::{fitted, width, wrapped};
 use crate::tui::view::theme::Theme;
 
 /// Room for the numbers of the axis that goes up.
@@ -43,11 +43,11 @@ const BELOW: u16 = 5;
 const MAPPED: f64 = 10.0;
 
 /// Draws the screen.
-pub fn draw(map: &Map, model: &AppModel, area: Rect, buffer: &mut Buffer) {
-    let theme = Theme::of(model.look);
-    let Some((x, y)) = map.spans else {
+pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let Some([x, y]) = map.spans else {
         let text = "this scenario has no two inputs to draw a map over";
-        put(buffer, area, (1, 1), text, theme.warning());
+        sheet.put((1, 1), text, theme.warning());
         return;
     };
     let (said, style) = status(map, model, theme);
@@ -62,60 +62,44 @@ pub fn draw(map: &Map, model: &AppModel, area: Rect, buffer: &mut Buffer) {
     let full = format!("What if? {axes_named}");
     let brief = format!("What if? {}", capital(result.label));
     let briefer = format!("What if? {name}");
-    let titles = [
-        &*whole_name,
-        &full,
-        &axes_named,
-        &brief,
-        &briefer,
-        "What if?",
-    ];
-    put_both(buffer, area, (&titles, theme.heading()), (&said, style));
-    let field = Rect::new(
-        area.x + LABELS + 1,
-        area.y + 1,
-        area.width.saturating_sub(LABELS + 2),
-        area.height.saturating_sub(BELOW + 1),
+    let titles = [&whole_name, &full, &axes_named, &brief, &briefer];
+    let titles = titles.map(String::as_str);
+    let titles = [&titles[..], &["What if?"]].concat();
+    sheet.put_both((&titles, theme.heading()), (&said, style));
+    let (wide, high) = (LABELS + 2, BELOW + 1);
+    let size = (
+        area.width.saturating_sub(wide),
+        area.height.saturating_sub(high),
     );
+    let field = sheet.part((LABELS + 1, 1), size).area;
     if field.width < 10 || field.height < 4 {
-        put(
-            buffer,
-            area,
-            (1, 1),
-            "too small for the map",
-            theme.warning(),
-        );
+        sheet.put((1, 1), "too small for the map", theme.warning());
         return;
     }
-    axes((x, y), area, field, theme, buffer);
+    axes((x, y), field, sheet);
     let mut drawn = BTreeSet::new();
     if let Some(grid) = grid {
         for row in 0..field.height {
             for column in 0..field.width {
                 let (sign, style) = cell((grid, quantity, whole), (column, row), field, theme);
-                put(buffer, field, (column, row), sign, style);
+                sheet.at(field).put((column, row), sign, style);
                 drawn.insert(sign);
             }
         }
-        figures((grid, quantity, whole), field, theme, buffer);
-        mark_scenario(model, (x, y), field, theme, buffer);
+        figures((grid, quantity, whole), field, sheet);
+        mark_scenario(model, (x, y), field, sheet);
     }
     let (px, py) = map.place();
-    let at = (
-        (px * f64::from(field.width - 1)).round() as u16,
-        ((1.0 - py) * f64::from(field.height - 1)).round() as u16,
-    );
-    let place = &mut buffer[(field.x + at.0, field.y + at.1)];
-    let cursor = theme
-        .text()
-        .add_modifier(Modifier::REVERSED | Modifier::BOLD);
+    let at = (along(px, field.width), along(1.0 - py, field.height));
+    let cursor = theme.focus().patch(theme.strong());
+    let place = &mut sheet.buffer[(field.x + at.0, field.y + at.1)];
     place.set_style(Style::reset());
     place.set_symbol("X").set_style(cursor);
     let top = area.height - BELOW + 2;
     let reading = reading(map, model, (x, y));
     let room = usize::from(area.width - 2);
     let lines = wrapped(&reading, room).into_iter().take(2);
-    put_lines(buffer, area, (1, top), lines, theme.strong());
+    sheet.put_lines((1, top), lines, theme.strong());
     let unit = result.unit;
     let part = |share: f64| rounded(share * whole).to_string();
     let steps = if whole == 100.0 && unit == "%" {
@@ -130,13 +114,7 @@ pub fn draw(map: &Map, model: &AppModel, area: Rect, buffer: &mut Buffer) {
         }
     }
     legend += "  o your blow";
-    put(
-        buffer,
-        area,
-        (1, area.height - 1),
-        &fitted(&legend, room),
-        theme.quiet(),
-    );
+    sheet.put((1, area.height - 1), fitted(&legend, room), theme.quiet());
 }
 
 fn status(map: &Map, model: &AppModel, theme: Theme) -> (String, Style) {
@@ -227,12 +205,8 @@ fn cell(
 }
 
 /// Writes on each line its figure, on rows of their own.
-fn figures(
-    (grid, quantity, whole): (&Grid, Quantity, f64),
-    field: Rect,
-    theme: Theme,
-    buffer: &mut Buffer,
-) {
+fn figures((grid, quantity, whole): (&Grid, Quantity, f64), field: Rect, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let value = |column: u16, row: u16| {
         let (x, y) = place((column, row), field);
         Some(grid.read(quantity, (x, y))?.value? / whole)
@@ -260,32 +234,25 @@ fn figures(
         );
         let left = column.saturating_sub(width(&text) / 2);
         let left = left.min(field.width.saturating_sub(width(&text)));
+        let field = &mut sheet.at(field);
         for x in 0..width(&text) {
-            buffer[(field.x + left + x, field.y + row)].reset();
+            field.cell((left + x, row)).reset();
         }
-        put(buffer, field, (left, row), &text, theme.strong());
+        field.put((left, row), text, theme.strong());
     }
 }
 
 /// Marks where the scenario itself lies, if it is on the map.
-fn mark_scenario(
-    model: &AppModel,
-    (x, y): (Span, Span),
-    field: Rect,
-    theme: Theme,
-    buffer: &mut Buffer,
-) {
+fn mark_scenario(model: &AppModel, (x, y): (Span, Span), field: Rect, sheet: &mut Sheet) {
+    let theme = sheet.theme;
     let share = |span: Span| {
         let (value, _) = number(span.field, &model.work.scenario)?;
         let share = (value - span.from) / (span.to - span.from);
         (0.0..=1.0).contains(&share).then_some(share)
     };
     if let (Some(x), Some(y)) = (share(x), share(y)) {
-        let at = (
-            (x * f64::from(field.width - 1)).round() as u16,
-            ((1.0 - y) * f64::from(field.height - 1)).round() as u16,
-        );
-        put(buffer, field, at, "o", theme.warning());
+        let at = (along(x, field.width), along(1.0 - y, field.height));
+        sheet.at(field).put(at, "o", theme.warning());
     }
 }
 
@@ -294,39 +261,29 @@ fn short(value: f64) -> String {
     plain(significant(value).parse().unwrap_or(value))
 }
 
-fn axes((x, y): (Span, Span), area: Rect, field: Rect, theme: Theme, buffer: &mut Buffer) {
+fn axes((x, y): (Span, Span), field: Rect, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let bottom = field.height;
-    axis_lines(field, theme, buffer);
+    axis_lines(field, sheet);
     let middle = |span: Span| 0.5 * (span.from + span.to);
     for (row, value) in [(0, y.to), (bottom / 2, middle(y)), (bottom - 1, y.from)] {
-        put_right(
-            buffer,
-            area,
-            (LABELS, 1 + row),
-            &short(value),
-            theme.quiet(),
-        );
+        sheet.put_right((LABELS, 1 + row), short(value), theme.quiet());
     }
     let row = 2 + bottom;
     let (left, right) = (LABELS + 1, area.width - 1);
-    put(buffer, area, (left, row), &short(x.from), theme.quiet());
+    sheet.put((left, row), short(x.from), theme.quiet());
     let text = format!("{} {}", short(middle(x)), x.field.unit);
     let at = left + field.width / 2;
-    put(
-        buffer,
-        area,
-        (at.saturating_sub(width(&text) / 2), row),
-        &text,
-        theme.quiet(),
-    );
-    put_right(buffer, area, (right, row), &short(x.to), theme.quiet());
+    let at = at.saturating_sub(width(&text) / 2);
+    sheet.put((at, row), text, theme.quiet());
+    sheet.put_right((right, row), short(x.to), theme.quiet());
     // Below the number at the top of its axis.
-    put_right(buffer, area, (LABELS, 2), y.field.unit, theme.quiet());
+    sheet.put_right((LABELS, 2), y.field.unit, theme.quiet());
 }
 
 /// The range of a risk under the cursor: of curves, eyes and what a map may be off by.
 fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<String> {
-    let (injury, (x, y), (a, b)) = (Injury::of(of)?, map.spans?, map.values()?);
+    let (injury, [x, y], [a, b]) = (Injury::of(of)?, map.spans?, map.values()?);
     let measure = injury.measure();
     let felt = map
         .reading(grid, measure)
@@ -345,7 +302,7 @@ fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<
 
 /// What is known under the cursor.
 fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
-    let Some((a, b)) = map.values() else {
+    let Some([a, b]) = map.values() else {
         return String::new();
     };
     let part = |span: Span, value: f64| {

@@ -62,11 +62,6 @@ pub(super) fn one(points: &[Tint]) -> Tint {
     points.iter().min_by(by).copied().unwrap_or(points[0])
 }
 
-/// Bit 0 upper left, 1 upper right, 2 lower left, 3 lower right.
-pub(crate) const QUADRANTS: [char; 16] = [
-    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
-];
-
 /// Two points across and four down, bit by bit from the upper left along the rows. Unicode 16 has
 /// those in order that it had not before.
 pub(super) fn octant(mask: u8) -> char {

@@ -8,7 +8,6 @@ mod cells;
 mod samples;
 pub(crate) mod window;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 
@@ -17,11 +16,12 @@ use crate::report::picture::{DrawnDetail, POINTS, Part, front, in_globe, moment}
 use crate::run::drawing::shares;
 use crate::run::kept::Frame;
 use crate::tui::look::Look;
-use crate::tui::shown::ShownAnswer;
 use crate::tui::terminal::caps::{Depth, Symbols};
-use crate::tui::view::text::{longest_fitting, put, put_right, width};
+use crate::tui::view::eye::EyePicture;
+use crate::tui::view::raster::QUADRANTS;
+use crate::tui::view::sheet::Sheet;
+use crate::tui::view::text::{longest_fitting, width};
 use crate::tui::view::theme::Theme;
-pub(crate) use cells::QUADRANTS;
 use cells::{Tint, octant, one, two};
 use samples::Samples;
 use window::Window;
@@ -46,44 +46,34 @@ pub const NAMED: [(Part, &str); 8] = [
 
 /// What is drawn.
 pub struct Anatomical<'a> {
-    /// The result that is shown.
-    pub shown: &'a ShownAnswer,
+    /// The eye, and how it is shown.
+    pub scene: &'a EyePicture<'a>,
     /// The frame of it.
     pub frame: &'a Frame,
-    /// The moment, in s.
-    pub time: f64,
     /// What fills the globe, and the end of its scale.
     pub field: (TissueField, f64),
-    /// How many times displacement is shown.
-    pub zoom: u32,
-    /// Whether it moves.
-    pub playing: bool,
-    /// Whether few bytes matter more than every detail.
-    pub lean: bool,
-    /// Whether it is seen from the front and not cut.
-    pub front: bool,
-    /// How things are drawn.
-    pub look: Look,
 }
 
 impl Anatomical<'_> {
     /// Draws the eye with its words above and below, where there is room for them.
-    pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
-        let (window, field) = if self.front {
-            Window::facing(area, self.look.symbols)
+    pub fn draw(&self, sheet: &mut Sheet) {
+        let area = sheet.area;
+        let symbols = sheet.theme.look.symbols;
+        let (window, field) = if self.scene.front {
+            Window::facing(area, symbols)
         } else {
-            Window::within(area, &self.shown.drawing, self.look.symbols)
+            Window::within(area, &self.scene.shown.drawing, symbols)
         };
         if field.width == 0 || field.height == 0 {
             return;
         }
-        self.paint(&window, field, buffer);
+        self.paint(&window, &mut sheet.at(field));
         if field.height < area.height {
-            if self.front {
-                self.hours(field, buffer);
+            if self.scene.front {
+                Self::hours(&mut sheet.at(field));
             }
-            self.caption(area, buffer);
-            self.scale(&window, area, buffer);
+            self.caption(sheet);
+            self.scale(&window, sheet);
         }
     }
 
@@ -92,31 +82,31 @@ impl Anatomical<'_> {
         let (across, down) = window.points();
         let (columns, rows) = (usize::from(area.width), usize::from(area.height));
         // Of a part that fills less than a sign of ASCII, points tell what is lost.
-        let (across, down) = match self.look.symbols {
+        let (across, down) = match window.symbols {
             Symbols::Ascii => (2, 2),
             _ => (across as usize, down as usize),
         };
         let (wide, high) = (columns * across, rows * down);
         let detail = DrawnDetail {
             grain: window.grain(),
-            zoom: f64::from(self.zoom),
+            zoom: f64::from(self.scene.zoom),
             points: POINTS,
         };
-        let shown = self.shown;
-        let layers = if self.front {
+        let shown = self.scene.shown;
+        let layers = if self.scene.front {
             let side = shown.scenario.eye_side();
             front::layers(&shown.drawing, self.frame, side, window.grain()).unwrap_or_default()
         } else {
             shown.anatomy.layers(&shown.drawing, self.frame, detail)
         };
         let samples = Samples::new(&layers, window, (wide, high), (across, down));
-        let parts = if self.lean || self.playing || area.width >= LARGE {
+        let parts = if self.scene.lean || self.scene.playing || area.width >= LARGE {
             1
         } else {
             2
         };
         // From the front nothing shows the inside.
-        let steps = if self.front {
+        let steps = if self.scene.front {
             vec![0; columns * rows * parts]
         } else {
             self.steps(area, window, parts)
@@ -139,7 +129,7 @@ impl Anatomical<'_> {
     /// The step of the field in each part of each cell, so many parts a cell from its top down.
     fn steps(&self, area: Rect, window: &Window, parts: usize) -> Vec<usize> {
         let (columns, rows) = (usize::from(area.width), usize::from(area.height) * parts);
-        let (drawing, (field, largest)) = (&self.shown.drawing, self.field);
+        let (drawing, (field, largest)) = (&self.scene.shown.drawing, self.field);
         let values = field.of_nodes(drawing, self.frame);
         let mut found: Vec<Option<usize>> = vec![None; columns * rows];
         let spots = parts as f64;
@@ -150,7 +140,7 @@ impl Anatomical<'_> {
         {
             for nodes in cell.triangles() {
                 let corners =
-                    nodes.map(|node| drawing.place(self.frame, node, f64::from(self.zoom)));
+                    nodes.map(|node| drawing.place(self.frame, node, f64::from(self.scene.zoom)));
                 let at = corners.map(|corner| window.cell(corner));
                 let span = |of: &dyn Fn(&(f64, f64)) -> f64, most: usize| {
                     let low = at.iter().map(of).fold(f64::INFINITY, f64::min);
@@ -190,8 +180,8 @@ impl Anatomical<'_> {
         found.into_iter().map(Option::unwrap_or_default).collect()
     }
 
-    fn paint(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
+    fn paint(&self, window: &Window, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
         let (wide, points) = self.points(area, window);
         let (across, down) = (
             wide / usize::from(area.width),
@@ -210,15 +200,14 @@ impl Anatomical<'_> {
                     own[i].part == Part::Lens && near.iter().any(other)
                 };
                 let ghost = dots[y * usize::from(area.width) + x];
-                let lattice = (column + 2 * row) % 4 == 0 && !self.playing;
-                let (symbol, style) = match (self.look.symbols, self.look.depth) {
+                let lattice = (column + 2 * row) % 4 == 0 && !self.scene.playing;
+                let (symbol, style) = match (theme.look.symbols, theme.look.depth) {
                     (Symbols::Ascii, _) => ascii(one(&own), ghost, lattice, theme),
-                    (_, Depth::Mono) => mono(self.look, &own, edge, ghost, lattice),
-                    _ => coloured(self.look, &own, ghost, lattice, theme),
+                    (_, Depth::Mono) => mono(theme.look, &own, edge, ghost, lattice),
+                    _ => coloured(&own, ghost, lattice, theme),
                 };
-                buffer[(area.x + column, area.y + row)]
-                    .set_char(symbol)
-                    .set_style(style);
+                let cell = sheet.cell((column, row));
+                cell.set_char(symbol).set_style(style);
             }
         }
     }
@@ -227,8 +216,8 @@ impl Anatomical<'_> {
     fn dots(&self, window: &Window, area: Rect) -> Vec<u8> {
         const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
         let mut dots = vec![0; usize::from(area.width) * usize::from(area.height)];
-        let ghost = self.shown.anatomy.ghost();
-        for at in ghost.iter().filter(|_| !self.front) {
+        let ghost = self.scene.shown.anatomy.ghost();
+        for at in ghost.iter().filter(|_| !self.scene.front) {
             let (x, y) = window.cell(*at);
             let inside =
                 x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
@@ -241,82 +230,69 @@ impl Anatomical<'_> {
     }
 
     /// The time and what happens then; what fills the globe, and its scale.
-    fn caption(&self, area: Rect, buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
-        let row = Rect { height: 1, ..area };
-        let time = format!("{:.2} ms", self.time * 1e3);
-        let zoom = match self.zoom {
+    fn caption(&self, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
+        let time = format!("{:.2} ms", self.scene.time * 1e3);
+        let zoom = match self.scene.zoom {
             1 => String::new(),
             times => format!(" {times}x larger"),
         };
-        let mut x = put(buffer, row, (0, 0), &time, theme.strong());
-        let (said, brief) = moment::said(&self.shown.answer, self.time);
+        let mut x = sheet.put((0, 0), &time, theme.strong());
+        let (said, brief) = moment::said(&self.scene.shown.answer, self.scene.time);
         let said = if area.width < WORDY { brief } else { &said };
-        let play = if self.playing { " ▶" } else { "" };
+        let play = if self.scene.playing { " ▶" } else { "" };
         let words = [
             format!(" {said}{zoom}{play}"),
             format!(" {said}{zoom}"),
             zoom,
             String::new(),
         ];
-        if self.front {
-            let (eye, ..) = self.shown.scenario.eye_side().seen();
+        if self.scene.front {
+            let (eye, ..) = self.scene.shown.scenario.eye_side().seen();
             let texts = [
                 format!("{eye} eye, from the front"),
                 "from the front".to_owned(),
             ];
             let text = longest_fitting(&texts, area.width.saturating_sub(x + 2));
-            put_right(buffer, row, (area.width, 0), text, theme.quiet());
+            sheet.put_right((area.width, 0), text, theme.quiet());
             let words = longest_fitting(&words, area.width.saturating_sub(x + 2 + width(text)));
-            put(buffer, row, (x, 0), words, theme.text());
+            sheet.put((x, 0), words, theme.text());
             return;
         }
         let (field, largest) = self.field;
         let end = format!(" {}", field.figure(largest));
         // Without colours the scale is one of signs.
-        let signs = match (self.look.symbols, self.look.depth) {
+        let signs = match (theme.look.symbols, theme.look.depth) {
             (Symbols::Ascii, _) => String::from_iter(STEPPED),
-            (_, Depth::Mono) => String::from_iter(patterns(self.look)),
+            (_, Depth::Mono) => String::from_iter(patterns(theme.look)),
             _ => String::new(),
         };
-        let ramp = match self.look.depth {
+        let ramp = match theme.look.depth {
             _ if !signs.is_empty() => width(&signs),
             Depth::Mono => 0,
             Depth::Sixteen => 5,
             Depth::TwoFiveSix if area.width >= LARGE => STEPS as u16,
             Depth::TwoFiveSix => (STEPS as u16).div_ceil(2),
         };
+        let name = field.name();
         let starts = match ramp {
-            0 => [
-                format!("{} 0 to", field.name()),
-                format!("{} to", field.name()),
-            ],
-            _ => [
-                format!("{} 0 ", field.name()),
-                field.name().to_owned() + " ",
-            ],
+            0 => [format!("{name} 0 to"), format!("{name} to")],
+            _ => [format!("{name} 0 "), format!("{name} ")],
         };
         let legend = |start: &str| width(start) + ramp + width(&end);
         let room = area.width.saturating_sub(x + 2);
         let least = legend(&starts[1]).min(room);
         let words = longest_fitting(&words, room - least);
-        x = put(buffer, row, (x, 0), words, theme.text());
+        x = sheet.put((x, 0), words, theme.text());
         let room = area.width.saturating_sub(x + 1);
-        let brief = if ramp == 0 {
-            String::new()
-        } else {
-            "0 ".to_owned()
-        };
-        let Some(start) = starts
-            .iter()
-            .chain([&brief])
-            .find(|start| legend(start) <= room)
-        else {
+        let brief = if ramp == 0 { "" } else { "0 " };
+        let mut starts = starts.iter().map(String::as_str).chain([brief]);
+        let Some(start) = starts.find(|start| legend(start) <= room) else {
             return;
         };
         let left = area.width - legend(start);
-        let mut x = put(buffer, row, (left, 0), start, theme.quiet());
-        x = put(buffer, row, (x, 0), &signs, theme.text());
+        let mut x = sheet.put((left, 0), start, theme.quiet());
+        x = sheet.put((x, 0), &signs, theme.text());
         for i in 0..ramp.saturating_sub(width(&signs)) {
             let last = usize::from(ramp - 1);
             let place = |share: usize| (share * (STEPS - 1)) / (2 * last).max(1);
@@ -327,48 +303,36 @@ impl Anatomical<'_> {
             let style = Style::new()
                 .fg(theme.part(Part::Globe, a))
                 .bg(theme.part(Part::Globe, b));
-            x = put(buffer, row, (x, 0), "▌", style);
+            x = sheet.put((x, 0), "▌", style);
         }
-        put_right(
-            buffer,
-            row,
-            (area.width, 0),
-            end.trim_start(),
-            theme.quiet(),
-        );
+        sheet.put_right((area.width, 0), end.trim_start(), theme.quiet());
     }
 
     /// The hours of the clock that tell the sides.
-    fn hours(&self, area: Rect, buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
+    fn hours(sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
         let (middle, centre) = (area.width / 2, area.height / 2);
         let right = area.width.saturating_sub(1);
         let bottom = area.height.saturating_sub(1);
         let places = [((middle, 0), "12"), ((right, centre), "3")];
-        for (at, hour) in places
-            .into_iter()
-            .chain([((middle, bottom), "6"), ((0, centre), "9")])
-        {
-            put(buffer, area, at, hour, theme.strong().bg(Color::Reset));
+        let more = [((middle, bottom), "6"), ((0, centre), "9")];
+        for (at, hour) in places.into_iter().chain(more) {
+            sheet.put(at, hour, theme.strong().bg(Color::Reset));
         }
     }
 
     /// Which way is which, and how long 10 mm are.
-    fn scale(&self, window: &Window, area: Rect, buffer: &mut Buffer) {
-        let theme = Theme::of(self.look);
-        let row = Rect {
-            y: area.y + area.height - 1,
-            height: 1,
-            ..area
-        };
-        let (left, right) = if self.front {
-            let (_, left, right) = self.shown.scenario.eye_side().seen();
+    fn scale(&self, window: &Window, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
+        let sheet = &mut sheet.row(area.height - 1);
+        let (left, right) = if self.scene.front {
+            let (_, left, right) = self.scene.shown.scenario.eye_side().seen();
             (left, right)
         } else {
             ("front", "back")
         };
-        put(buffer, row, (0, 0), left, theme.quiet());
-        put_right(buffer, row, (area.width, 0), right, theme.quiet());
+        sheet.put((0, 0), left, theme.quiet());
+        sheet.put_right((area.width, 0), right, theme.quiet());
         let halves = (2.0 * BAR_M / window.column).round() as usize;
         let mut bar = "━".repeat(halves / 2);
         if halves % 2 == 1 {
@@ -377,20 +341,14 @@ impl Anatomical<'_> {
         let text = " 10 mm";
         let long = width(&bar) + width(text);
         if long + 12 <= area.width {
-            let x = put(
-                buffer,
-                row,
-                ((area.width - long) / 2, 0),
-                &bar,
-                theme.strong(),
-            );
-            put(buffer, row, (x, 0), text, theme.quiet());
+            let x = sheet.put(((area.width - long) / 2, 0), &bar, theme.strong());
+            sheet.put((x, 0), text, theme.quiet());
         }
     }
 }
 
 /// A cell in two colours, or in one with dots.
-fn coloured(look: Look, own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+fn coloured(own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
     let (mut first, mut second, mut mask) = two(own);
     // What has no colour of its own is the ground.
     if mask != 0 && theme.part(first.part, first.step) == Color::Reset {
@@ -402,7 +360,7 @@ fn coloured(look: Look, own: &[Tint], ghost: u8, lattice: bool, theme: Theme) ->
     }
     let ground = Style::new().bg(theme.part(second.part, second.step));
     if mask == 0 {
-        let dotted = |bits: u8| match look.symbols {
+        let dotted = |bits: u8| match theme.look.symbols {
             Symbols::Block => '·',
             _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
         };
@@ -463,7 +421,7 @@ pub fn swatch(part: Part, look: Look) -> (String, Style) {
     let (sign, style) = match (look.symbols, look.depth) {
         (Symbols::Ascii, _) => ascii(own[0], 0, true, theme),
         (_, Depth::Mono) => mono(look, &own, |_| part == Part::Lens, 0, true),
-        (_, _) if part == Part::Fat => coloured(look, &own, 0, true, theme),
+        (_, _) if part == Part::Fat => coloured(&own, 0, true, theme),
         _ => ('█', Style::new().fg(theme.part(part, 0))),
     };
     (sign.to_string(), style)

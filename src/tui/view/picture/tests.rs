@@ -5,9 +5,12 @@ use crate::run::kept::{Keep, Spacing};
 use crate::run::watch::unwatched;
 use crate::scenario::library::{built_in, find};
 use crate::scenario::{Impact, Scenario};
-use crate::tui::view::heat::HeatMap;
-use crate::tui::view::palette::{DARK, Palette};
+use crate::tui::clock::MeshDetail;
+use crate::tui::look::Look;
+use crate::tui::shown::ShownAnswer;
+use crate::tui::view::palette::DARK;
 use nalgebra::Point2;
+use ratatui::buffer::Buffer;
 
 fn answered(scenario: &Scenario) -> ShownAnswer {
     let keep = Keep {
@@ -18,26 +21,20 @@ fn answered(scenario: &Scenario) -> ShownAnswer {
     ShownAnswer::new(scenario.clone(), answer)
 }
 
-fn of<'a>(shown: &'a ShownAnswer, frame: &'a Frame, look: Look) -> Anatomical<'a> {
-    Anatomical {
-        front: false,
+fn of<'a>(shown: &'a ShownAnswer, frame: &Frame, look: Look) -> EyePicture<'a> {
+    EyePicture {
         shown,
-        frame,
         time: frame.time,
-        field: shown.fields[0],
+        largest: shown.hottest,
+        field: Some(shown.fields[0]),
         zoom: 1,
+        detail: MeshDetail::Anatomy,
+        blow: None,
+        aiming: false,
         playing: false,
         lean: false,
+        front: false,
         look,
-    }
-}
-
-fn look(depth: Depth, symbols: Symbols) -> Look {
-    Look {
-        depth,
-        symbols,
-        heat: HeatMap::Hot,
-        palette: Palette::default(),
     }
 }
 
@@ -119,8 +116,8 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
             for size in [(28, 9), (55, 22), (110, 32)] {
                 let area = Rect::new(0, 0, size.0, size.1 + 2);
                 let mut buffer = Buffer::empty(area);
-                let picture = of(&shown, frame, look(Depth::TwoFiveSix, Symbols::Braille));
-                picture.draw(area, &mut buffer);
+                let look = Look::new(Depth::TwoFiveSix, Symbols::Braille);
+                of(&shown, frame, look).draw(area, &mut buffer);
                 let (window, field) = Window::within(area, &shown.drawing, Symbols::Braille);
                 for (x, y) in (0..field.width).flat_map(|x| (0..field.height).map(move |y| (x, y)))
                 {
@@ -239,7 +236,8 @@ fn every_number_of_colours_has_its_own_form() {
     ] {
         let area = Rect::new(0, 0, size.0, size.1);
         let mut buffer = Buffer::empty(area);
-        of(&shown, deepest, look(depth, symbols)).draw(area, &mut buffer);
+        let look = Look::new(depth, symbols);
+        of(&shown, deepest, look).draw(area, &mut buffer);
         if symbols == Symbols::Ascii {
             crate::tui::view::text::to_ascii(&mut buffer);
         }

@@ -20,7 +20,7 @@ pub(crate) struct Window {
     top: f64,
     /// Width of a column, in m; a row is twice as high.
     pub column: f64,
-    symbols: Symbols,
+    pub symbols: Symbols,
 }
 
 /// Rows from which on there is room for words above and below.
