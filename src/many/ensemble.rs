@@ -458,7 +458,8 @@ mod tests {
     #[test]
     fn samples_that_may_not_be_are_counted_by_name() {
         let mut scenario = quick();
-        set(&mut scenario, "impact.angle_deg", "40 ± 5").unwrap();
+        set(&mut scenario, "impact.angle_deg", "40").unwrap();
+        set(&mut scenario, "eye.opening_deg", "40 ± 5").unwrap();
         let ensemble = ensemble(&scenario, 16, 1);
         let refused = "refused: impact.angle_deg not allowed";
         let count = ensemble

@@ -157,8 +157,8 @@ pub fn strength(scenario: &Scenario) -> FormRow {
 }
 
 /// What a field accepts, in the words of the form.
-pub fn allowed(field: &Field) -> String {
-    as_typed(&field.allowed())
+pub fn allowed(scenario: &Scenario, field: &Field) -> String {
+    as_typed(&field.allowed_in(scenario))
 }
 
 /// A file says `Auto` where a person says `auto`.

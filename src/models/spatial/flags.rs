@@ -9,7 +9,8 @@ use crate::run::raised::Raised;
 use crate::run::readings::Readings;
 
 /// Energy of flight that breaks bone in half of all cases, in J: of a baseball at 13.9 m/s on the
-/// cheekbone, part of which squeezes the ball. Walls of orbits were computed to break at 16 to 41 J.
+/// cheekbone, part of which squeezes the ball. Walls of orbits were computed to break at 16 to 41
+/// J.
 const BONE_BREAKS: f64 = 14.0;
 
 /// Flags of a run of `simulated` s.

@@ -21,7 +21,10 @@ pub fn draw(changing: &Changing, sheet: &mut Sheet) {
     sheet.put((beside, 0), field.unit, theme.text());
     let (said, style) = match &changing.error {
         Some(why) => (why.clone(), theme.error()),
-        None => (format!("{}: {}", field.help, allowed(field)), theme.quiet()),
+        None => (
+            format!("{}: {}", field.help, allowed(&changing.scenario, field)),
+            theme.quiet(),
+        ),
     };
     let lines = wrapped(&said, usize::from(wide));
     sheet.put_lines((0, 2), lines.iter().take(3), style);

@@ -147,10 +147,11 @@ fn described(model: &AppModel) -> String {
         FormRow::Preset => "← → open the next preset, Enter lists them".to_owned(),
         FormRow::Fold => "mesh, materials, numerics".to_owned(),
         FormRow::Field(field) => {
-            let pulse = pulse::described(&model.work.scenario, field.path);
+            let scenario = &model.work.scenario;
+            let pulse = pulse::described(scenario, field.path);
             let accepted = match pulse {
-                Some(pulse) => format!("{pulse}; {}", allowed(field)),
-                None => allowed(field),
+                Some(pulse) => format!("{pulse}; {}", allowed(scenario, field)),
+                None => allowed(scenario, field),
             };
             let mut said = format!("{}: {accepted}", field.help);
             if model.work.scenario.doubt.contains_key(field.path) {

@@ -157,7 +157,11 @@ fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
     });
     match furthest(&model.work.scenario, field, step, present) {
         Ok(scenario) if scenario == model.work.scenario => {
-            model.notice = Some(format!("{}: {}", field.label, allowed(field)));
+            model.notice = Some(format!(
+                "{}: {}",
+                field.label,
+                allowed(&model.work.scenario, field)
+            ));
         }
         outcome => take(model, path, outcome),
     }
