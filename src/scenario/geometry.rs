@@ -65,8 +65,8 @@ impl Scenario {
         })
     }
 
-    /// The greatest angle of a blow, in degrees: bone shields the paper's eye beyond its opening, and
-    /// a force beyond a right angle would come from behind the equator.
+    /// The greatest angle of a blow, in degrees: bone shields the paper's eye beyond its
+    /// opening, and a force beyond a right angle would come from behind the equator.
     pub fn steepest_deg(&self) -> f64 {
         match (&self.model, &self.impact) {
             (Model::Paper, _) => self.eye.opening_deg,
