@@ -42,15 +42,7 @@ fn cpu_seconds() -> f64 {
 fn hit(form: CellLoop, eye: &AxisymmetricEye) -> (f64, EngineRun) {
     let start = cpu_seconds();
     let mut watch = |_| ControlFlow::Continue(());
-    let run = run_as(
-        form,
-        eye,
-        &bb(),
-        WINDOW,
-        STEP_SHARE,
-        Keep::default(),
-        &mut watch,
-    );
+    let run = run_as(form, eye, &bb(), WINDOW, STEP_SHARE, Keep::default(), &mut watch);
     (cpu_seconds() - start, run.expect("a BB at 60 m/s"))
 }
 

@@ -50,11 +50,7 @@ fn scenario(preset: &str, fields: &[(&str, &str)]) -> CheckedScenario {
 
 fn spatial(scenario: &CheckedScenario) -> SpatialCase {
     let (model, object) = (scenario.physiological(), scenario.projectile());
-    let scene = Scene::new(
-        scenario,
-        model.expect("tissues"),
-        object.expect("an object"),
-    );
+    let scene = Scene::new(scenario, model.expect("tissues"), object.expect("an object"));
     SpatialCase::new(&scene)
 }
 
@@ -72,10 +68,7 @@ fn cost(name: &str, preset: &str, fields: &[(&str, &str)]) {
     let vectors = vector_sets().into_iter();
     let vectors = vectors.map(|level| (CellLoop::Vectors(level), Until::Settled(WINDOW)));
     let mut peaked = 0.0_f64;
-    for (form, until) in [(CellLoop::Plain, Until::Time(SHORT))]
-        .into_iter()
-        .chain(vectors)
-    {
+    for (form, until) in [(CellLoop::Plain, Until::Time(SHORT))].into_iter().chain(vectors) {
         let (run, time) = run(form, until);
         println!(
             "{:>7} steps to {:5.2} ms {:9.2} ms {:8.2} ns a cell and step  {form:?}",
@@ -97,12 +90,8 @@ fn cost(name: &str, preset: &str, fields: &[(&str, &str)]) {
 }
 
 /// What errors are shown of.
-const SHOWN: [Quantity; 4] = [
-    Quantity::Pressure,
-    Quantity::EquatorStretch,
-    Quantity::BackStretch,
-    Quantity::LensPull,
-];
+const SHOWN: [Quantity; 4] =
+    [Quantity::Pressure, Quantity::EquatorStretch, Quantity::BackStretch, Quantity::LensPull];
 
 /// A blow straight on, by each eye at its levels.
 fn error_against_time() {
@@ -121,10 +110,7 @@ fn error_against_time() {
     let (finest, _) = run(&axisymmetric, &round, FINEST);
     let finest = values(&finest);
     println!("bb-62 straight on in gelatin; errors against the axisymmetric eye at level {FINEST}");
-    println!(
-        "                       time  {}",
-        SHOWN.map(Quantity::label).join(", ")
-    );
+    println!("                       time  {}", SHOWN.map(Quantity::label).join(", "));
     let levels = (1..FINEST).map(|level| (false, level));
     for (is_spatial, level) in levels.chain([(true, 1), (true, 2)]) {
         let (name, (run, time)) = if is_spatial {
@@ -144,17 +130,9 @@ fn main() {
     let below = ("impact.from", "below");
     let steep = [below, ("impact.angle_deg", "40")];
     let half = [steep[0], steep[1], ("model.support", "Free")];
-    cost(
-        "BB at 40 degrees from below, nothing holds the eye, half of it",
-        "bb-62",
-        &half,
-    );
+    cost("BB at 40 degrees from below, nothing holds the eye, half of it", "bb-62", &half);
     let orbit = [steep[0], steep[1], ("model.support", "Orbit")];
     cost("BB at 40 degrees from below, in its orbit", "bb-62", &orbit);
-    cost(
-        "squash ball at 30 degrees from below, in its orbit",
-        "squash-ball",
-        &[below],
-    );
+    cost("squash ball at 30 degrees from below, in its orbit", "squash-ball", &[below]);
     error_against_time();
 }

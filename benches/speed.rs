@@ -65,11 +65,7 @@ impl Targets {
             } else {
                 format!("at least {least:.1}")
             };
-            let met = if ratio >= least && ratio <= most {
-                "yes"
-            } else {
-                "no"
-            };
+            let met = if ratio >= least && ratio <= most { "yes" } else { "no" };
             println!("| {what} | {ratio:.3} | {wanted} | {met} |");
         }
     }
@@ -127,10 +123,7 @@ fn evaluation_times<const N: usize>(cases: &[&PaperCase], window: f64, rounds: u
     let mut counts = [1; N];
     for _ in 0..rounds {
         for (i, case) in cases.iter().enumerate() {
-            let plan = Plan {
-                window,
-                ..plan(case, Integrator::Srkn6b, SHARE)
-            };
+            let plan = Plan { window, ..plan(case, Integrator::Srkn6b, SHARE) };
             let mut state = State::at_rest(&case.system);
             times.time(i, || {
                 let cost = march(&case.system, &plan, &mut state, &mut Nobody);
@@ -148,10 +141,7 @@ fn evaluation_times<const N: usize>(cases: &[&PaperCase], window: f64, rounds: u
 
 fn evaluations(targets: &mut Targets) {
     println!("Force evaluation with its share of the update and the surveys, nothing recorded");
-    println!(
-        "{:>5}  {:<30}{:>12}{:>14}{:>10}",
-        "level", "form", "us/eval", "ns/spring", "ratio"
-    );
+    println!("{:>5}  {:<30}{:>12}{:>14}{:>10}", "level", "form", "us/eval", "ns/spring", "ratio");
     let print = |level: u32, name: &str, time: f64, springs: usize, base: f64| {
         let ns = time * 1e9 / springs as f64;
         let (us, ratio) = (time * 1e6, base / time);
@@ -193,22 +183,14 @@ fn evaluations(targets: &mut Targets) {
     }
     let flat = |form: usize| each[0][form] / each[2][form];
     targets.most("a spring at level 1 against 5, whole eye", flat(0), 1.25);
-    targets.most(
-        "a spring at level 1 against 5, mirrored half",
-        flat(2),
-        1.25,
-    );
+    targets.most("a spring at level 1 against 5, mirrored half", flat(2), 1.25);
 }
 
 /// Largest error in % of the four peak forces and the apex displacement of a plain run, as sampled
 /// at its steps, against the reference values.
 fn plain_error(case: &PaperCase, step: f64, truth: &[f64; 5]) -> f64 {
     let marks = &case.eye.landmarks;
-    let rest: Vec<f64> = marks
-        .apex
-        .iter()
-        .map(|&n| case.eye.nodes[n].position.x)
-        .collect();
+    let rest: Vec<f64> = marks.apex.iter().map(|&n| case.eye.nodes[n].position.x).collect();
     let mut found = [0.0f64; 5];
     plain(case).run(case.window, step, |p, _| {
         for (i, &n) in marks.monitors.iter().enumerate() {
@@ -216,18 +198,10 @@ fn plain_error(case: &PaperCase, step: f64, truth: &[f64; 5]) -> f64 {
             let force = (p.fx[n] - drag * p.vx[n]).hypot(p.fy[n] - drag * p.vy[n]);
             found[i] = found[i].max(force);
         }
-        let apex = marks
-            .apex
-            .iter()
-            .zip(&rest)
-            .map(|(&n, x)| p.x[n] - x)
-            .sum::<f64>()
-            / 2.0;
+        let apex = marks.apex.iter().zip(&rest).map(|(&n, x)| p.x[n] - x).sum::<f64>() / 2.0;
         found[4] = found[4].max(apex);
     });
-    (0..5)
-        .map(|i| 100.0 * (found[i] / truth[i] - 1.0).abs())
-        .fold(0.0, f64::max)
+    (0..5).map(|i| 100.0 * (found[i] / truth[i] - 1.0).abs()).fold(0.0, f64::max)
 }
 
 /// Whole runs of the standard case, each with its true error.
@@ -280,14 +254,7 @@ fn standard_case(targets: &mut Targets) {
         }
     }
     let time = times.0;
-    let error = |plan| {
-        Some(
-            compiled
-                .results(&run(plan))
-                .difference_percent(&truth)
-                .headline(),
-        )
-    };
+    let error = |plan| Some(compiled.results(&run(plan)).difference_percent(&truth).headline());
     for (i, name) in ["one run alone", "the run of an answer"].iter().enumerate() {
         let (method, step) = (plans[i].integrator, plans[i].step);
         let share = step / quick.step_limit(method);
@@ -296,29 +263,17 @@ fn standard_case(targets: &mut Targets) {
     }
     let at_limit = plain_error(&quick, limit, &sampled);
     let within = plain_error(&quick, step, &sampled);
-    row(
-        "plain Verlet at its limit, nothing recorded",
-        time[2],
-        Some(at_limit),
-    );
+    row("plain Verlet at its limit, nothing recorded", time[2], Some(at_limit));
     let what = format!("plain Verlet within 0.1 %: {:.3} us, the same", step * 1e6);
     row(&what, time[3], Some(within));
     let mut within_error = |what: &str, time_of_it: f64| {
         let ratio = |form: usize| time_of_it / time[form];
         targets.least(format!("{what} against one run alone"), ratio(0), 12.0);
-        targets.least(
-            format!("{what} against the run of an answer"),
-            ratio(1),
-            12.0,
-        );
+        targets.least(format!("{what} against the run of an answer"), ratio(1), 12.0);
     };
     within_error("plain within 0.1 %", time[3]);
     if fastest_in_c.is_finite() {
-        row(
-            "the same in C, cc -O3 -march=native",
-            fastest_in_c,
-            Some(within),
-        );
+        row("the same in C, cc -O3 -march=native", fastest_in_c, Some(within));
         within_error("the same in C", fastest_in_c);
     } else {
         println!("no C compiler here: the plain loop in C is left out");
@@ -372,9 +327,7 @@ fn many_scenes(targets: &mut Targets) {
     let scenarios: Vec<CheckedScenario> = (0..COUNT)
         .map(|i| {
             let mut scenario = Scenario::default();
-            let Impact::ForcePulse(pulse) = &mut scenario.impact else {
-                panic!()
-            };
+            let Impact::ForcePulse(pulse) = &mut scenario.impact else { panic!() };
             pulse.force_n = 100.0 + 2.0 * f64::from(i);
             scenario.check().unwrap()
         })
@@ -411,21 +364,9 @@ fn many_scenes(targets: &mut Targets) {
     let [wall, work, alone, build] = [wall, work, alone, build].map(|t| t / some.len() as f64);
     let many = all * cores / f64::from(COUNT);
     row("one answer with its step error, wall", wall, None);
-    row(
-        "one answer with its step error, time of one core",
-        work,
-        None,
-    );
-    row(
-        "one run alone and its eye, the other cores idle",
-        alone,
-        None,
-    );
-    row(
-        &format!("a scene among many on {cores} cores, time of one core"),
-        many,
-        None,
-    );
+    row("one answer with its step error, time of one core", work, None);
+    row("one run alone and its eye, the other cores idle", alone, None);
+    row(&format!("a scene among many on {cores} cores, time of one core"), many, None);
     row("of it, building the eye", build, None);
     let what = "a scene among many, throughput per core against";
     targets.least(format!("{what} an answer"), work / many, 1.5);
@@ -456,16 +397,8 @@ fn process(targets: &mut Targets) {
         ratios.push(wall / solve);
     }
     row("process start to end, median", median(walls).unwrap(), None);
-    row(
-        "the solve itself, as printed, median",
-        median(solves).unwrap(),
-        None,
-    );
-    targets.most(
-        "process start to printed result against the solve",
-        median(ratios).unwrap(),
-        2.5,
-    );
+    row("the solve itself, as printed, median", median(solves).unwrap(), None);
+    targets.most("process start to printed result against the solve", median(ratios).unwrap(), 2.5);
 }
 
 fn main() {

@@ -27,10 +27,7 @@ fn main() -> Result<(), Error> {
         let row = quantity.row();
         let step = percent(answer.errors.time_step[quantity]);
         let mesh = percent(answer.errors.mesh.and_then(|errors| errors[quantity]));
-        println!(
-            "{:<20}{value:>10.4} {:<6}{step:>16}{mesh:>12}",
-            row.label, row.unit
-        );
+        println!("{:<20}{value:>10.4} {:<6}{step:>16}{mesh:>12}", row.label, row.unit);
     }
     // What a reader must know before trusting them, such as a mesh that folded.
     for flag in &answer.flags {

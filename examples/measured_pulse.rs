@@ -15,17 +15,12 @@ const OWN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/measured_pulse.
 
 fn main() -> Result<(), Error> {
     let path = std::env::args().nth(1).unwrap_or(OWN.to_owned());
-    let mut table = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(path)?;
+    let mut table = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path)?;
     let knots: Vec<(f64, f64)> = table.deserialize().collect::<Result<_, _>>()?;
 
     // A curve holds shares of the scenario's force; of a force of 1 N they are newtons. Times must
     // rise, and a refusal names the knot that is wrong.
-    let mut measured = ForcePulse {
-        force_n: 1.0,
-        ..ForcePulse::default()
-    };
+    let mut measured = ForcePulse { force_n: 1.0, ..ForcePulse::default() };
     measured.follow(Curve::new(knots)?);
     let smooth = ForcePulse {
         force_n: measured.peak_n(),
@@ -48,10 +43,7 @@ fn main() -> Result<(), Error> {
             let value = answer.results()[quantity];
             let error = answer.errors.time_step[quantity];
             if let (Some(value), Some(error)) = (value, error) {
-                println!(
-                    "  {:<14}{value:8.3} {}, step error {error:.1e} %",
-                    row.label, row.unit
-                );
+                println!("  {:<14}{value:8.3} {}, step error {error:.1e} %", row.label, row.unit);
             }
         }
     }

@@ -16,11 +16,7 @@ type Row = (Option<f64>, Option<f64>, bool);
 
 fn damage(force_n: f64, duration_ms: f64) -> Result<Row, Error> {
     let scenario = Scenario {
-        impact: Impact::ForcePulse(ForcePulse {
-            force_n,
-            duration_ms,
-            ..ForcePulse::default()
-        }),
+        impact: Impact::ForcePulse(ForcePulse { force_n, duration_ms, ..ForcePulse::default() }),
         ..Scenario::default()
     };
     let answer = solve(&scenario.check()?, Keep::default(), &mut unwatched)?;
@@ -34,10 +30,8 @@ fn damage(force_n: f64, duration_ms: f64) -> Result<Row, Error> {
 fn main() -> Result<(), Error> {
     let forces = [50.0, 100.0, 200.0, 400.0];
     let durations = [0.1, 0.2, 0.4];
-    let grid: Vec<(f64, f64)> = forces
-        .iter()
-        .flat_map(|&force| durations.map(|duration| (force, duration)))
-        .collect();
+    let grid: Vec<(f64, f64)> =
+        forces.iter().flat_map(|&force| durations.map(|duration| (force, duration))).collect();
     // The order of the grid is kept, whichever run ends first; the first refusal ends the sweep.
     let rows: Vec<Row> = grid
         .par_iter()

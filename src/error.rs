@@ -3,8 +3,7 @@
 use std::io;
 
 use crate::run::refusal::Refusal;
-use crate::scenario::CurveError;
-use crate::scenario::problem::ScenarioError;
+use crate::scenario::{CurveError, problem::ScenarioError};
 
 /// Whatever can go wrong from the text of a scenario to a written file. Each is displayed as it
 /// stands, ready to be shown to a person.

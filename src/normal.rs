@@ -64,11 +64,8 @@ pub fn quantile(p: f64) -> f64 {
         return q * ratio(&MIDDLE.0, &MIDDLE.1, 0.180_625 - q * q);
     }
     let r = (-libm::log(p.min(1.0 - p))).sqrt();
-    let size = if r <= 5.0 {
-        ratio(&SIDE.0, &SIDE.1, r - 1.6)
-    } else {
-        ratio(&TAIL.0, &TAIL.1, r - 5.0)
-    };
+    let size =
+        if r <= 5.0 { ratio(&SIDE.0, &SIDE.1, r - 1.6) } else { ratio(&TAIL.0, &TAIL.1, r - 5.0) };
     size.copysign(q)
 }
 
@@ -99,11 +96,7 @@ mod tests {
             (0.9, 1.281_551_565_544_600_8),
             (0.9999, 3.719_016_485_455_708_4),
         ] {
-            assert!(
-                (quantile(p) - x).abs() <= 4e-15 * x.abs(),
-                "{p}: {}",
-                quantile(p)
-            );
+            assert!((quantile(p) - x).abs() <= 4e-15 * x.abs(), "{p}: {}", quantile(p));
         }
     }
 

@@ -83,11 +83,7 @@ fn escaped(
             shown.push(c);
         }
     }
-    if shown == text {
-        Cow::Borrowed(text)
-    } else {
-        Cow::Owned(shown)
-    }
+    if shown == text { Cow::Borrowed(text) } else { Cow::Owned(shown) }
 }
 
 /// A piece of somebody else's text in a message: printable, and cut where it would swamp it.
@@ -125,10 +121,7 @@ pub fn markdown(text: &str) -> String {
         }
     }
     // An address is made a link even where it stands bare.
-    shown
-        .replace("://", "&#58;//")
-        .replace("www.", "www&#46;")
-        .replace('@', "&#64;")
+    shown.replace("://", "&#58;//").replace("www.", "www&#46;").replace('@', "&#64;")
 }
 
 /// A whole message of one line, printable and bounded.
@@ -223,12 +216,7 @@ mod tests {
             let text = format!("a{c}b");
             assert!(!printable(&text).contains(c), "{:x}", u32::from(c));
             let kept = matches!(c, '\n' | '\t');
-            assert_eq!(
-                printable_lines(&text).contains(c),
-                kept,
-                "{:x}",
-                u32::from(c)
-            );
+            assert_eq!(printable_lines(&text).contains(c), kept, "{:x}", u32::from(c));
         }
         assert_eq!(printable("a\u{1b}[31m\n"), "a\\u{1b}[31m\\n");
     }
@@ -285,16 +273,11 @@ mod tests {
         ] {
             let shown = markdown(text);
             for live in ["](", "](", "<", "://", "www.", "@", " |", " `", "!["] {
-                let live_at = shown
-                    .match_indices(live)
-                    .any(|(at, _)| !shown[..at].ends_with('\\'));
+                let live_at = shown.match_indices(live).any(|(at, _)| !shown[..at].ends_with('\\'));
                 assert!(!live_at, "{live} in {shown}");
             }
         }
-        assert_eq!(
-            markdown("300 N for 0.2 ms; 9.5 %"),
-            "300 N for 0.2 ms; 9.5 %"
-        );
+        assert_eq!(markdown("300 N for 0.2 ms; 9.5 %"), "300 N for 0.2 ms; 9.5 %");
     }
 
     #[test]
@@ -320,15 +303,7 @@ mod tests {
         let mut printed = Vec::new();
         write_json(&mut printed, &vec![&text]).unwrap();
         let printed = String::from_utf8(printed).unwrap();
-        assert!(
-            hostile()
-                .filter(|c| *c != '\n')
-                .all(|c| !printed.contains(c)),
-            "{printed}"
-        );
-        assert_eq!(
-            serde_json::from_str::<Vec<String>>(&printed).unwrap(),
-            [text]
-        );
+        assert!(hostile().filter(|c| *c != '\n').all(|c| !printed.contains(c)), "{printed}");
+        assert_eq!(serde_json::from_str::<Vec<String>>(&printed).unwrap(), [text]);
     }
 }

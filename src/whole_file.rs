@@ -138,9 +138,7 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap();
-        entries
-            .map(|e| e.unwrap().file_name().into_string().unwrap())
-            .collect()
+        entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect()
     }
 
     #[cfg(unix)]
@@ -192,11 +190,7 @@ mod tests {
         fs::write(&own, "mine").unwrap();
         let busy = beside(&path).unwrap();
         let second = beside(&path).unwrap();
-        assert_eq!(
-            names(folder.path()).len(),
-            3,
-            "two that are being written, and notes"
-        );
+        assert_eq!(names(folder.path()).len(), 3, "two that are being written, and notes");
         fs::remove_file(own).unwrap();
         put(second, &path, false).unwrap();
         assert!(busy.path().exists());

@@ -18,19 +18,12 @@ pub struct PlainC {
 impl PlainC {
     /// None where there is no C compiler.
     pub fn new(case: &PaperCase, step: f64) -> Option<Self> {
-        let mut child = Command::new(compiled()?)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .ok()?;
+        let mut child =
+            Command::new(compiled()?).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().ok()?;
         let mut ask = child.stdin.take()?;
         let answers = BufReader::new(child.stdout.take()?);
         ask.write_all(problem(case, step).as_bytes()).ok()?;
-        Some(Self {
-            child,
-            ask,
-            answers,
-        })
+        Some(Self { child, ask, answers })
     }
 
     /// Solves the case once: the seconds it took, and the sum of all coordinates at the end, in m.
@@ -86,19 +79,10 @@ fn problem(case: &PaperCase, step: f64) -> String {
         line(&[inverse_mass, node.drag / node.mass, place.x, place.y]);
     }
     for spring in &eye.springs {
-        line(&[
-            spring.a as f64,
-            spring.b as f64,
-            spring.stiffness,
-            spring.rest_length,
-        ]);
+        line(&[spring.a as f64, spring.b as f64, spring.stiffness, spring.rest_length]);
     }
     for &(node, share) in &load.shares {
-        line(&[
-            node as f64,
-            share * load.direction.x,
-            share * load.direction.y,
-        ]);
+        line(&[node as f64, share * load.direction.x, share * load.direction.y]);
     }
     for segment in segments {
         let length = segment.end - segment.start;

@@ -12,18 +12,11 @@
 //! for the edges of the pulse. So a run among many may take up to 0.95 of the limit but never more
 //! than a cap, which comes from the comparisons of a few runs.
 
-use crate::answer::compiled::Compiled;
-use crate::answer::results::Results;
-use crate::answer::solve::solve_by;
+use crate::answer::{compiled::Compiled, results::Results, solve::solve_by};
 use crate::injury::PerInjury;
-use crate::run::flags::FlagKind;
-use crate::run::kept::Keep;
-use crate::run::model::Run;
-use crate::run::plan::Plan;
-use crate::run::raised::of_motion;
-use crate::run::refusal::Refusal;
 use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
-use crate::run::watch::Watch;
+use crate::run::{flags::FlagKind, kept::Keep, model::Run, plan::Plan, raised::of_motion};
+use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// How often a step is shortened, each time at most to a half.
@@ -77,11 +70,7 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
     let motion = of_motion(run, case.rules().element, None);
     BriefAnswer {
         values: case.results(run),
-        flags: motion
-            .iter()
-            .chain(&run.flags)
-            .map(|flag| flag.kind)
-            .collect(),
+        flags: motion.iter().chain(&run.flags).map(|flag| flag.kind).collect(),
         check: None,
         ranges: None,
     }
@@ -172,9 +161,7 @@ pub fn compared(
         plan.multiple *= 2.0;
         plan.local_tolerance *= 0.1;
         let fine = run(&plan)?;
-        let difference = case
-            .results(&coarse)
-            .difference_percent(&case.results(&fine));
+        let difference = case.results(&coarse).difference_percent(&case.results(&fine));
         let error = difference.headline();
         let first = *first.get_or_insert(error);
         let done = error <= promise

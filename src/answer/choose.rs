@@ -6,15 +6,12 @@
 //! because it is the cheapest at low accuracy, else the fourth-order composition, with shorter
 //! steps as needed.
 
-use crate::answer::compiled::Compiled;
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_by};
-use crate::run::kept::Keep;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::rules::next_share;
-use crate::run::watch::Watch;
+use crate::answer::{compiled::Compiled, results::Results};
+use crate::run::{
+    kept::Keep, quantity::Quantity, refusal::Refusal, rules::next_share, watch::Watch,
+};
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 
 /// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level
@@ -54,11 +51,7 @@ impl Ladder {
 
     /// Springs or cells that levels 1 to `level` took.
     pub fn elements(&self, level: u32) -> f64 {
-        self.0
-            .iter()
-            .take(level as usize)
-            .map(|on| on.elements)
-            .sum()
+        self.0.iter().take(level as usize).map(|on| on.elements).sum()
     }
 }
 
@@ -129,9 +122,7 @@ pub(crate) fn within_by(
             });
         }
         best = best.min(mesh_error);
-        reasons.push(format!(
-            "level {level}: mesh error {mesh_error:.2} %, too much"
-        ));
+        reasons.push(format!("level {level}: mesh error {mesh_error:.2} %, too much"));
     }
     Err(Refusal::ToleranceNotMet {
         percent,
@@ -160,9 +151,7 @@ fn meet(
             ));
             return Ok(answer);
         }
-        reasons.push(format!(
-            "velocity-verlet: step error {error:.3} %, too much"
-        ));
+        reasons.push(format!("velocity-verlet: step error {error:.3} %, too much"));
     }
     let mut plan = plan(rule.integrator);
     let mut error = f64::INFINITY;

@@ -1,7 +1,6 @@
 //! A scenario ready to be run: the eye of its model, and what its risks need.
 
-use crate::answer::derived;
-use crate::answer::results::Results;
+use crate::answer::{derived, results::Results};
 use crate::injury::Blow;
 use crate::models;
 use crate::run::model::{EyeModel, Run};
@@ -27,10 +26,7 @@ impl Compiled {
 
     /// A scenario with an eye that somebody else compiled of it.
     pub fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
-        Self {
-            eye,
-            blow: Blow::of(scenario),
-        }
+        Self { eye, blow: Blow::of(scenario) }
     }
 
     /// This scenario on the mesh of `level`, which may be finer than a scenario may ask for.
@@ -38,10 +34,7 @@ impl Compiled {
         if level == self.level() {
             return self.clone();
         }
-        Self {
-            eye: self.eye.at_level(level),
-            blow: self.blow,
-        }
+        Self { eye: self.eye.at_level(level), blow: self.blow }
     }
 
     /// An integrator at a share of its stability limit, on the scenario's own window.

@@ -1,10 +1,7 @@
 //! An answer made whole: its mesh error, and what its inputs are not known to.
 
-use crate::answer::input_doubt::InputQuery;
-use crate::answer::mesh_error::add_mesh_error;
-use crate::answer::solve::Answer;
-use crate::run::ordered::until;
-use crate::run::refusal::Refusal;
+use crate::answer::{input_doubt::InputQuery, mesh_error::add_mesh_error, solve::Answer};
+use crate::run::{ordered::until, refusal::Refusal};
 use crate::scenario::Scenario;
 use std::sync::atomic::AtomicBool;
 

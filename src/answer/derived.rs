@@ -2,8 +2,7 @@
 //! readings.
 
 use crate::injury::{Blow, DamageIndex, Injury};
-use crate::run::model::Run;
-use crate::run::quantity::Quantity;
+use crate::run::{model::Run, quantity::Quantity};
 
 /// A result of a run in its unit; none where the scene has no such result.
 pub(crate) fn result(of: Quantity, run: &Run, blow: &Blow) -> Option<f64> {

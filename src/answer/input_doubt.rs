@@ -7,10 +7,8 @@
 //!
 //! Left out: inputs that hang together, and curvature over more than one standard deviation.
 
-use crate::answer::brief::single;
-use crate::answer::results::InputDoubt;
-use crate::answer::solve::Answer;
 use crate::answer::uncertain::{UncertainInput, inputs};
+use crate::answer::{brief::single, results::InputDoubt, solve::Answer};
 use crate::injury::{Blow, Injury, PerInjury};
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
@@ -112,9 +110,8 @@ impl InputQuery {
             let value = |injury: &Injury| brief.values[injury.measure()].unwrap_or(0.0);
             Ok(std::array::from_fn(|i| value(&Injury::ALL[i])))
         };
-        let bases: Vec<(Geometry, PerInjury<f64>)> = geometries
-            .filter_map(|g| Some((g, measures(as_it_is(g)).ok()?)))
-            .collect();
+        let bases: Vec<(Geometry, PerInjury<f64>)> =
+            geometries.filter_map(|g| Some((g, measures(as_it_is(g)).ok()?))).collect();
         let run = |index: usize| {
             let input = &inputs[index];
             let there = moved(scenario, input);
@@ -124,9 +121,8 @@ impl InputQuery {
             match measures(there.check().map_err(Refusal::Scenario)) {
                 Ok(to) => Some(Some(Moved {
                     measures: std::array::from_fn(|i| way(from[i], to[i]) - curves[i]),
-                    energy: energy.map_or(0.0, |energy| {
-                        way(energy, Blow::of(&there).energy.unwrap_or(0.0))
-                    }),
+                    energy: energy
+                        .map_or(0.0, |energy| way(energy, Blow::of(&there).energy.unwrap_or(0.0))),
                 })),
                 Err(Refusal::Cancelled) => None,
                 Err(_) => Some(None),

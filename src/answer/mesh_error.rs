@@ -19,17 +19,12 @@
 //! error is several times the result, and where the mesh folds at one of the levels. Left out:
 //! what all levels share, as the load's sharp edges and the shell without a thickness of its own.
 
-use crate::answer::compiled::Compiled;
 use crate::answer::results::{Limit, Limits, Results};
-use crate::answer::solve::Answer;
+use crate::answer::{compiled::Compiled, solve::Answer};
 use crate::models::rules;
 use crate::run::flags::{Flag, FlagKind};
-use crate::run::kept::Keep;
-use crate::run::ordered::until;
-use crate::run::quantity::Family;
-use crate::run::refusal::Refusal;
-use crate::run::threads::beside;
 use crate::run::watch::Watch;
+use crate::run::{kept::Keep, ordered::until, quantity::Family, refusal::Refusal, threads::beside};
 use crate::scenario::Scenario;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -170,11 +165,7 @@ impl MeshQuery {
     pub fn estimate(&self, scenario: &Scenario, watch: Watch) -> Result<MeshError, Refusal> {
         let levels = witnesses(scenario, self.level);
         let on = |level: u32, watch: Watch| {
-            if level == self.level {
-                Ok(self.own)
-            } else {
-                at_level(scenario, level, watch)
-            }
+            if level == self.level { Ok(self.own) } else { at_level(scenario, level, watch) }
         };
         let stopped = AtomicBool::new(false);
         // The finer takes longer, so it is the one that is watched.
@@ -185,12 +176,7 @@ impl MeshQuery {
             fine
         });
         let (fine, coarse) = (fine?, coarse?);
-        Ok(MeshError::of(
-            scenario,
-            self.level,
-            &self.own,
-            [&coarse, &fine],
-        ))
+        Ok(MeshError::of(scenario, self.level, &self.own, [&coarse, &fine]))
     }
 }
 
@@ -226,11 +212,7 @@ mod tests {
         let mut results = Results::from_fn(|_| None);
         results[Quantity::Damage] = Some(damage);
         results[Quantity::ForceFront] = Some(front);
-        OnMesh {
-            results,
-            folded: None,
-            elements: 1.0,
-        }
+        OnMesh { results, folded: None, elements: 1.0 }
     }
 
     #[test]
@@ -266,16 +248,9 @@ mod tests {
 
     #[test]
     fn a_mesh_that_folds_tells_no_limit() {
-        let folded = OnMesh {
-            folded: Some(1e-4),
-            ..on(20.0, 50.0)
-        };
-        let mesh = MeshError::of(
-            &Scenario::default(),
-            1,
-            &on(20.0, 50.0),
-            [&on(20.0, 50.0), &folded],
-        );
+        let folded = OnMesh { folded: Some(1e-4), ..on(20.0, 50.0) };
+        let mesh =
+            MeshError::of(&Scenario::default(), 1, &on(20.0, 50.0), [&on(20.0, 50.0), &folded]);
         assert!(mesh.errors.present().next().is_none());
         assert!(mesh.flag.unwrap().message.contains("level 3"));
         let mesh = MeshError::of(&Scenario::default(), 1, &folded, [&folded, &folded]);

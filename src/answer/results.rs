@@ -11,8 +11,7 @@ pub type Results = PerQuantity<Option<f64>>;
 impl Results {
     /// The results that there are.
     pub fn present(&self) -> impl Iterator<Item = (Quantity, f64)> {
-        self.iter()
-            .filter_map(|(quantity, value)| Some((quantity, (*value)?)))
+        self.iter().filter_map(|(quantity, value)| Some((quantity, (*value)?)))
     }
 
     /// The leading results: those that the one stated error covers in this scene, by the table of
@@ -28,8 +27,7 @@ impl Results {
 
     /// The results that lead in some scene, and those whose own errors are watched.
     pub(crate) fn watched(&self) -> impl Iterator<Item = (Quantity, f64)> {
-        self.present()
-            .filter(|(quantity, _)| quantity.row().leads != Leads::Never)
+        self.present().filter(|(quantity, _)| quantity.row().leads != Leads::Never)
     }
 
     /// The leading result with the largest value, for `self` as errors in %. NaN counts as the
@@ -165,9 +163,6 @@ mod tests {
     fn a_family_is_raised_to_a_share_of_its_worst_and_others_stay() {
         let errors = with(&[(Damage, 0.1), (ForceTop, 0.1), (ForceRight, 10.0)]);
         let raised = errors.raised(Family::ShellForces, 0.03);
-        assert_eq!(
-            raised,
-            with(&[(Damage, 0.1), (ForceTop, 0.3), (ForceRight, 10.0)])
-        );
+        assert_eq!(raised, with(&[(Damage, 0.1), (ForceTop, 0.3), (ForceRight, 10.0)]));
     }
 }

@@ -3,23 +3,16 @@
 //! The step error of each result comes from a second run with another step, see
 //! [`crate::answer::step_error`].
 
-use crate::answer::compiled::Compiled;
 use crate::answer::derived::{self, rests_on};
 use crate::answer::results::{InputDoubt, Limits, Results};
-use crate::answer::step_error::stated;
 use crate::answer::validity::{Spoiled, spoiled};
+use crate::answer::{compiled::Compiled, step_error::stated};
 use crate::injury::{DamageIndex, Injury, Known, Risk};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
-use crate::run::model::Run;
-use crate::run::ordered::until;
-use crate::run::plan::Plan;
-use crate::run::quantity::Quantity;
 use crate::run::raised::{TwoRuns, of_motion};
-use crate::run::refusal::Refusal;
-use crate::run::rules::next_share;
-use crate::run::threads::beside;
-use crate::run::watch::Watch;
+use crate::run::{model::Run, ordered::until, plan::Plan, quantity::Quantity, refusal::Refusal};
+use crate::run::{rules::next_share, threads::beside, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -61,10 +54,7 @@ impl Errors {
         let errors = self.mesh.as_ref();
         let unknown =
             move |(quantity, _): &(Quantity, f64)| errors.is_some_and(|e| e[*quantity].is_none());
-        self.time_step
-            .present()
-            .filter(unknown)
-            .map(|(quantity, _)| quantity)
+        self.time_step.present().filter(unknown).map(|(quantity, _)| quantity)
     }
 }
 
@@ -144,11 +134,7 @@ impl Answer {
 
     /// Simulated time that was asked for, in s; where none was, how long the run lasted.
     pub fn window(&self) -> f64 {
-        if self.case.ends_by_itself() {
-            self.run.simulated
-        } else {
-            self.case.window()
-        }
+        if self.case.ends_by_itself() { self.run.simulated } else { self.case.window() }
     }
 
     /// Why nothing that was computed can be believed, and what to do about it, if that is so.
@@ -159,10 +145,7 @@ impl Answer {
     /// The risk of each injury, the gravest first; none where the model tells of no injuries or the
     /// object never touched the eye, see [`Self::silence`].
     pub fn risks(&self) -> Vec<Risk> {
-        Injury::ALL
-            .iter()
-            .filter_map(|injury| self.risk(*injury))
-            .collect()
+        Injury::ALL.iter().filter_map(|injury| self.risk(*injury)).collect()
     }
 
     /// The risk of one injury.
@@ -182,11 +165,7 @@ impl Answer {
         let measure = injury.measure();
         let value = self.run.readings.value(measure)?;
         let unknown = self.errors.mesh.is_some_and(|mesh| mesh[measure].is_none());
-        let mesh_unknown = if unknown {
-            injury.curve().mesh_unknown
-        } else {
-            0.0
-        };
+        let mesh_unknown = if unknown { injury.curve().mesh_unknown } else { 0.0 };
         let inputs = self.inputs.unwrap_or_default();
         Some(Known {
             value,
@@ -212,9 +191,7 @@ impl Answer {
         let mesh = (self.errors.mesh.is_none(), "the mesh");
         let inputs = (self.inputs.is_none(), "the inputs");
         let missing = [mesh, inputs].into_iter();
-        missing
-            .filter_map(|(missing, what)| missing.then_some(what))
-            .collect()
+        missing.filter_map(|(missing, what)| missing.then_some(what)).collect()
     }
 
     /// How a result is limited by a run that ended too early; none if it is final.
@@ -386,39 +363,21 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
         let exact = |of| results[of] == Some(0.0);
         time_step = time_step.map(|of, error| error.map(|e| if exact(of) { 0.0 } else { e }));
     }
-    let errors = Errors {
-        time_step,
-        mesh: None,
-        limits: None,
-        energy_balance: 100.0 * run.energy_residual,
-    };
-    Ok(Measured {
-        run,
-        errors,
-        disagreement,
-        time,
-        total_time: started.elapsed(),
-    })
+    let errors =
+        Errors { time_step, mesh: None, limits: None, energy_balance: 100.0 * run.energy_residual };
+    Ok(Measured { run, errors, disagreement, time, total_time: started.elapsed() })
 }
 
 fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
-    let Measured {
-        mut run,
-        mut errors,
-        disagreement,
-        time,
-        total_time,
-    } = solved;
+    let Measured { mut run, mut errors, disagreement, time, total_time } = solved;
     if has(&run.flags, FlagKind::EyeFlat) {
         // Steps and meshes may agree there, but nobody knows whether an eye does.
         let nothing = Results::from_fn(|_| None);
         (errors.time_step, errors.mesh) = (nothing, Some(nothing));
         errors.limits = Some(Limits::from_fn(|_| None));
     }
-    let two_runs = TwoRuns {
-        worst: errors.time_step.worst_listed(&case.results(&run)),
-        disagreement,
-    };
+    let two_runs =
+        TwoRuns { worst: errors.time_step.worst_listed(&case.results(&run)), disagreement };
     let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
     flags.append(&mut run.flags);
     Answer {
@@ -467,24 +426,15 @@ pub(crate) mod tests {
         let paper = of("0.21", "paper-300n");
         assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));
         assert!(!paper.at_least(Quantity::ForceTop));
-        assert!(
-            of("0.1", "paper-300n").at_least(Quantity::ForceTop),
-            "the pulse is cut"
-        );
+        assert!(of("0.1", "paper-300n").at_least(Quantity::ForceTop), "the pulse is cut");
     }
 
     #[test]
     fn a_result_is_the_largest_of_its_trace_or_its_end() {
-        let keep = Keep {
-            traces: true,
-            frames: None,
-        };
+        let keep = Keep { traces: true, frames: None };
         let answer = answered_with(&Scenario::default(), keep);
         let traces = answer.run.traces.as_ref().unwrap();
-        for (quantity, trace) in Quantity::ALL
-            .iter()
-            .filter_map(|q| Some((*q, q.row().trace?)))
-        {
+        for (quantity, trace) in Quantity::ALL.iter().filter_map(|q| Some((*q, q.row().trace?))) {
             let values = (trace.values)(traces);
             let Some(result) = answer.result(quantity) else {
                 assert!(values.is_empty(), "{}", trace.label);
@@ -496,11 +446,7 @@ pub(crate) mod tests {
             };
             // Between two steps it may have been a little larger.
             let share = found * quantity.row().factor / result;
-            assert!(
-                (0.99..=1.0 + 1e-12).contains(&share),
-                "{} {share}",
-                trace.label
-            );
+            assert!((0.99..=1.0 + 1e-12).contains(&share), "{} {share}", trace.label);
         }
     }
 }

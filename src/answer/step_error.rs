@@ -2,8 +2,7 @@
 //!
 //! The idea is in [`crate::run::rules`], the second run and all numbers with each model.
 
-use crate::answer::compiled::Compiled;
-use crate::answer::results::Results;
+use crate::answer::{compiled::Compiled, results::Results};
 
 /// The step error of each of `results`, in %: `factor` times the `difference` of the second run,
 /// in %, but at least the model's floor and rounding, and raised where it is small by chance.

@@ -16,10 +16,9 @@
 
 use crate::injury::PerInjury;
 use crate::normal;
-use crate::scenario::direction::HOURS;
-use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
 use crate::scenario::{Geometry, Model, Physiological, Rim, Scenario, Support, fields, set};
+use crate::scenario::{direction::HOURS, doubt::number};
 use std::f64::consts::PI;
 
 /// A distribution.
@@ -63,16 +62,8 @@ pub static CURVES: Field = Field {
     label: "Injury curves",
     unit: "",
     kind: Kind::Number(
-        Bounds {
-            min: -4.0,
-            max: 4.0,
-            fine: 0.1,
-            coarse: 1.0,
-        },
-        Place {
-            get: |_| None,
-            get_mut: |_| None,
-        },
+        Bounds { min: -4.0, max: 4.0, fine: 0.1, coarse: 1.0 },
+        Place { get: |_| None, get_mut: |_| None },
     ),
 };
 
@@ -156,24 +147,15 @@ pub static SPREADS: &[Spread] = &[
 pub static WITH_CURVES: [(&str, [PerInjury<f64>; 2]); 3] = [
     (
         "model.sclera_mpa",
-        [
-            [-0.69, -0.42, -0.18, -0.25, -0.40, -0.02],
-            [-0.61, -0.36, -0.27, -0.31, -0.25, -0.05],
-        ],
+        [[-0.69, -0.42, -0.18, -0.25, -0.40, -0.02], [-0.61, -0.36, -0.27, -0.31, -0.25, -0.05]],
     ),
     (
         "model.sclera_thickness",
-        [
-            [-0.64, -0.31, -0.19, -0.26, -0.44, -0.03],
-            [-0.57, -0.21, -0.22, -0.25, -0.24, -0.08],
-        ],
+        [[-0.64, -0.31, -0.19, -0.26, -0.44, -0.03], [-0.57, -0.21, -0.22, -0.25, -0.24, -0.08]],
     ),
     (
         "model.lens_shear_kpa",
-        [
-            [0.00, 0.00, 0.00, -0.01, 0.00, 0.00],
-            [-0.01, -0.02, -0.01, -0.05, 0.05, 0.00],
-        ],
+        [[0.00, 0.00, 0.00, -0.01, 0.00, 0.00], [-0.01, -0.02, -0.01, -0.05, 0.05, 0.00]],
     ),
 ];
 
@@ -213,13 +195,7 @@ impl UncertainInput {
         source: Option<&'static str>,
     ) -> Option<Self> {
         let (nominal, bounds) = number(field, scenario)?;
-        Some(Self {
-            field,
-            nominal,
-            shape,
-            bounds: drawn_within(field, nominal, bounds),
-            source,
-        })
+        Some(Self { field, nominal, shape, bounds: drawn_within(field, nominal, bounds), source })
     }
 
     /// The value below which the share `u` of the draws lies.
@@ -236,11 +212,7 @@ impl UncertainInput {
     /// The value one standard deviation from what the scenario holds, to the side on which it
     /// matters more.
     pub fn one_off(&self) -> f64 {
-        let sign = if LESS_IS_WORSE.contains(&self.field.path) {
-            -1.0
-        } else {
-            1.0
-        };
+        let sign = if LESS_IS_WORSE.contains(&self.field.path) { -1.0 } else { 1.0 };
         let (min, max) = self.bounds;
         let off = match self.shape {
             Shape::Normal(_, sd) => self.nominal + sign * sd,
@@ -253,10 +225,7 @@ impl UncertainInput {
     /// nothing of what a person doubts, which is a difference of this eye from others.
     pub fn moves_curves(&self, value: f64) -> PerInjury<f64> {
         let own = |(path, _): &&(&str, [PerInjury<f64>; 2])| *path == self.field.path;
-        let found = WITH_CURVES
-            .iter()
-            .find(own)
-            .filter(|_| self.source.is_some());
+        let found = WITH_CURVES.iter().find(own).filter(|_| self.source.is_some());
         let Some((_, powers)) = found else {
             return PerInjury::default();
         };
@@ -284,11 +253,7 @@ impl UncertainInput {
 
     /// Puts a value into a scenario.
     pub fn put(&self, scenario: &mut Scenario, value: f64) {
-        let value = if is_clock(self.field) {
-            value.rem_euclid(HOURS)
-        } else {
-            value
-        };
+        let value = if is_clock(self.field) { value.rem_euclid(HOURS) } else { value };
         set::put_number(scenario, self.field, value);
     }
 }
@@ -321,10 +286,7 @@ fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
         ("impact.angle_deg", Shape::Normal(angle, angle_sd)),
         ("impact.offset_mm", Shape::Normal(offset, offset_sd)),
         ("impact.angle_clock", hours(angle_clock, angle, angle_sd)),
-        (
-            "impact.offset_clock",
-            hours(offset_clock, offset, offset_sd),
-        ),
+        ("impact.offset_clock", hours(offset_clock, offset, offset_sd)),
     ];
     let own = |(path, _): &(&str, Shape)| !scenario.doubt.contains_key(*path);
     let own = all.into_iter().filter(own);
@@ -350,10 +312,7 @@ fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
         field.path.starts_with(RIM) && !scenario.doubt.contains_key(field.path)
     };
     let spread = Scenario {
-        model: Model::Physiological(Physiological {
-            rim: Rim::SPREAD,
-            ..*model
-        }),
+        model: Model::Physiological(Physiological { rim: Rim::SPREAD, ..*model }),
         ..Scenario::default()
     };
     let fields = FIELDS.iter().filter(own);
@@ -403,11 +362,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
         bounds: (-4.0, 4.0),
         source: Some("how far kinds of object and published figures disagree"),
     });
-    doubted
-        .chain(published)
-        .chain(aimed)
-        .chain(curves)
-        .collect()
+    doubted.chain(published).chain(aimed).chain(curves).collect()
 }
 
 #[cfg(test)]

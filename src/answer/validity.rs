@@ -22,10 +22,7 @@ pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
     flags.iter().find_map(|flag| {
         let name = flag.kind.name().replace('_', " ");
         let time = flag.time.map(|time| format!(" at {:.3} ms", time * 1e3));
-        Some(Spoiled {
-            why: name + &time.unwrap_or_default(),
-            next: (rules.advice)(flag.kind)?,
-        })
+        Some(Spoiled { why: name + &time.unwrap_or_default(), next: (rules.advice)(flag.kind)? })
     })
 }
 
@@ -40,12 +37,7 @@ mod tests {
     }
 
     fn flag(kind: FlagKind) -> Flag {
-        Flag {
-            kind,
-            message: String::new(),
-            detail: None,
-            time: Some(0.48e-3),
-        }
+        Flag { kind, message: String::new(), detail: None, time: Some(0.48e-3) }
     }
 
     #[test]

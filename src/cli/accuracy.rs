@@ -2,9 +2,8 @@
 
 use std::io::Write;
 
-use crate::cli::ensemble::result;
-use crate::cli::progress::Progress;
 use crate::cli::{AccuracyArgs, CliError};
+use crate::cli::{ensemble::result, progress::Progress};
 use crate::many::accuracy::{finest_tried, measure};
 use crate::plain_text::write_json;
 use crate::report::accuracy;

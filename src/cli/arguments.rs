@@ -15,14 +15,11 @@ use crate::cli::CliError;
 use crate::many::threshold::usual;
 use crate::plain_text;
 use crate::plain_text::{printable, quoted};
-use crate::scenario::Integrator;
-use crate::scenario::fields::LONGEST_NAME;
-use crate::scenario::library::resolve;
-use crate::scenario::load::read_text;
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, model_first, set};
 use crate::scenario::{CheckedScenario, Impact, Scenario};
+use crate::scenario::{Integrator, fields::LONGEST_NAME, library::resolve, load::read_text};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
@@ -96,13 +93,9 @@ impl FromStr for Assignment {
     type Err = &'static str;
 
     fn from_str(typed: &str) -> Result<Self, Self::Err> {
-        let (path, text) = typed
-            .split_once('=')
-            .ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
-        Ok(Self {
-            path: path.trim().to_owned(),
-            text: text.to_owned(),
-        })
+        let (path, text) =
+            typed.split_once('=').ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
+        Ok(Self { path: path.trim().to_owned(), text: text.to_owned() })
     }
 }
 
@@ -163,9 +156,7 @@ impl Changes {
         }
         // The file by itself was sound, so what is wrong now comes from the flags together.
         let changed = format!("{source}, as the flags change it, cannot be computed");
-        let scenario = scenario
-            .check()
-            .map_err(|error| complaint(&changed, "", &error))?;
+        let scenario = scenario.check().map_err(|error| complaint(&changed, "", &error))?;
         // The name tells of the values as they were, so what was changed stands beside it.
         if changes.iter().any(|(path, _)| *path == "name") {
             return Ok(scenario);
@@ -211,16 +202,12 @@ fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
     }
     // A comma begins a change where a field and its value follow; else it is part of a value.
     let is_field = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | ' ');
-    let begins = |rest: &str| {
-        rest.split_once('=')
-            .is_some_and(|(field, _)| field.chars().all(is_field))
-    };
+    let begins =
+        |rest: &str| rest.split_once('=').is_some_and(|(field, _)| field.chars().all(is_field));
     let commas = typed.match_indices(',').map(|(at, _)| at);
     let mut ends: Vec<usize> = commas.filter(|at| begins(&typed[at + 1..])).collect();
     ends.push(typed.len());
-    let parts = ends
-        .windows(2)
-        .filter_map(|at| typed[at[0] + 1..at[1]].split_once('='));
+    let parts = ends.windows(2).filter_map(|at| typed[at[0] + 1..at[1]].split_once('='));
     let head = &typed[..ends[0]];
     match head.rsplit_once(AT) {
         Some((name, speed))
@@ -234,9 +221,7 @@ fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
 
 /// A name with what was set; only with how much, where that is too long for a name.
 fn with_changes(name: &str, changes: &[(&str, &str)]) -> String {
-    let each = changes
-        .iter()
-        .map(|(path, text)| format!("; {path}={text}"));
+    let each = changes.iter().map(|(path, text)| format!("; {path}={text}"));
     let all = name.to_owned() + &each.collect::<String>();
     if all.chars().count() <= LONGEST_NAME {
         return all;
@@ -282,10 +267,7 @@ pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
     {
         let tip = format!("it is `contrecoup {now}` now");
         error.remove(ContextKind::SuggestedSubcommand);
-        error.insert(
-            ContextKind::Suggested,
-            ContextValue::StyledStrs(vec![tip.into()]),
-        );
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
     }
     let text = error.to_string();
     let lines = text.lines().map(plain_text::message);
@@ -328,9 +310,7 @@ mod tests {
     fn changed(source: &str, flags: &[&str]) -> Result<CheckedScenario, CliError> {
         let typed = ["contrecoup", "run", source];
         let cli = Cli::try_parse_from(typed.iter().chain(flags)).unwrap();
-        let Some(Command::Run(args)) = cli.command else {
-            panic!("run was asked for")
-        };
+        let Some(Command::Run(args)) = cli.command else { panic!("run was asked for") };
         args.scenario.scenario()
     }
 
@@ -348,10 +328,7 @@ mod tests {
         .unwrap();
         let pulse = changed.pulse().unwrap();
         assert_eq!((changed.eye.level, pulse.force_n), (3, 450.0));
-        assert_eq!(
-            changed.numerics.integrator,
-            Some(Integrator::VelocityVerlet)
-        );
+        assert_eq!(changed.numerics.integrator, Some(Integrator::VelocityVerlet));
         assert_eq!(changed.numerics.step_us, Some(1.5));
         assert_eq!(changed.name, "a = b");
     }
@@ -375,14 +352,8 @@ mod tests {
         assert_eq!(split("bb-62"), ("bb-62", vec![]));
         let both = ("bb-62", vec![("@", "40"), ("offset_mm", "3")]);
         assert_eq!(split("bb-62@40,offset_mm=3"), both);
-        let group = (
-            "a.ron",
-            vec![("impact.surface", "Inflated(kpa:1, modulus_mpa:2)")],
-        );
-        assert_eq!(
-            split("a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)"),
-            group
-        );
+        let group = ("a.ron", vec![("impact.surface", "Inflated(kpa:1, modulus_mpa:2)")]);
+        assert_eq!(split("a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)"), group);
         for whole in ["@3", "me@home", "a,b", "a,b,c@d"] {
             assert_eq!(split(whole), (whole, vec![]));
         }
@@ -391,10 +362,7 @@ mod tests {
         assert_eq!(of(ball).projectile().unwrap().speed_m_s, 30.0);
         assert_eq!(of(pulse).pulse().unwrap().force_n, 90.0);
         let refused = Changes::default().made_to("squash-ball@900").unwrap_err();
-        assert!(
-            refused.to_string().starts_with("squash-ball@900: "),
-            "{refused}"
-        );
+        assert!(refused.to_string().starts_with("squash-ball@900: "), "{refused}");
     }
 
     #[test]

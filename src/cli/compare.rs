@@ -2,10 +2,8 @@
 
 use std::io::Write;
 
-use crate::cli::ensemble::result;
-use crate::cli::interrupt;
-use crate::cli::progress::Progress;
 use crate::cli::{CliError, CompareArgs};
+use crate::cli::{ensemble::result, interrupt, progress::Progress};
 use crate::many::comparison::{ComparisonColumn, Entry, compare, leading, order};
 use crate::plain_text::{quoted, write_json};
 use crate::report::compare::{Table, csv, json};

@@ -4,8 +4,7 @@ use std::io::Write;
 
 use crate::cli::CliError;
 use crate::plain_text::printable_path;
-use crate::tui::config;
-use crate::tui::config::Config;
+use crate::tui::{config, config::Config};
 
 /// Prints the settings as a file that may be changed and kept.
 pub fn run(out: &mut dyn Write) -> Result<(), CliError> {

@@ -3,9 +3,8 @@
 use std::io::Write;
 use std::ops::ControlFlow;
 
-use crate::cli::interrupt;
-use crate::cli::progress::Progress;
 use crate::cli::{CliError, EnsembleArgs};
+use crate::cli::{interrupt, progress::Progress};
 use crate::many::ensemble::run as run_samples;
 use crate::many::threshold::meant;
 use crate::plain_text::{quoted, write_json};
@@ -34,9 +33,7 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     out.flush()?;
     if ensemble.stopped() {
         let (done, asked) = (ensemble.samples.len(), ensemble.asked);
-        return Err(CliError::Interrupted(format!(
-            "interrupted: {done} of {asked} samples done"
-        )));
+        return Err(CliError::Interrupted(format!("interrupted: {done} of {asked} samples done")));
     }
     Ok(())
 }

@@ -10,11 +10,8 @@ use crate::answer::solve::{Answer, solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, ExportArgs, interrupt};
 use crate::plain_text::printable_path;
-use crate::run::export::FrameWriter;
 use crate::run::kept::{Keep, Spacing};
-use crate::run::ordered::until;
-use crate::run::refusal::Refusal;
-use crate::run::trace::write_traces;
+use crate::run::{export::FrameWriter, ordered::until, refusal::Refusal, trace::write_traces};
 use crate::scenario::CheckedScenario;
 use crate::whole_file;
 
@@ -29,18 +26,13 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let (Some(frames), Some(traces)) = (&args.frames, &args.traces)
         && whole_file::resolved(frames) == whole_file::resolved(traces)
     {
-        return Err(CliError::Input(
-            "--frames and --traces name the same file".to_owned(),
-        ));
+        return Err(CliError::Input("--frames and --traces name the same file".to_owned()));
     }
     let every_us = args.every_us.unwrap_or(FRAMES_EVERY_US);
     if args.frames.is_some() {
         check_size(&scenario, every_us)?;
     }
-    let keep = Keep {
-        traces: args.traces.is_some(),
-        frames: None,
-    };
+    let keep = Keep { traces: args.traces.is_some(), frames: None };
     // Who is told to stop takes the unfinished file away.
     let stop = interrupt::flag()?;
     let progress = Progress::new();
@@ -87,11 +79,7 @@ fn write_frames(
         written = writer.write(&regions, &frame).map_err(csv_to_io);
         let share = frame.time / answer.window();
         progress.show("writing frames", share);
-        if written.is_ok() {
-            until(stop)(share)
-        } else {
-            ControlFlow::Break(())
-        }
+        if written.is_ok() { until(stop)(share) } else { ControlFlow::Break(()) }
     };
     let spacing = Spacing::even(every);
     let taken = answer.case.frames(&answer.plan, spacing, &mut take);

@@ -63,9 +63,7 @@ fn into(folder: &Path, out: &mut dyn Write) -> Result<(), CliError> {
         files.push((place.to_owned(), script));
     }
     let commands = Cli::command();
-    let names = commands
-        .get_subcommands()
-        .map(|command| Some(command.get_name().to_owned()));
+    let names = commands.get_subcommands().map(|command| Some(command.get_name().to_owned()));
     for command in std::iter::once(None).chain(names) {
         let mut page = Vec::new();
         man(command.as_deref(), &mut page)?;

@@ -25,11 +25,7 @@ pub(super) fn topics() -> Vec<PossibleValue> {
 /// Prints the page of a topic, or the list of topics.
 pub fn run(topic: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     let Some(topic) = TOPICS.iter().find(|known| Some(known.name) == topic) else {
-        write!(
-            out,
-            "{}\n`contrecoup guide TOPIC` prints one.\n",
-            contents()
-        )?;
+        write!(out, "{}\n`contrecoup guide TOPIC` prints one.\n", contents())?;
         return Ok(());
     };
     let page = topic.plain();
@@ -65,10 +61,7 @@ fn shown(words: &[String], page: &str) -> io::Result<bool> {
         signal_hook::low_level::unregister(ignored);
         return Ok(false);
     };
-    let written = child
-        .stdin
-        .take()
-        .map_or(Ok(()), |mut to| to.write_all(page.as_bytes()));
+    let written = child.stdin.take().map_or(Ok(()), |mut to| to.write_all(page.as_bytes()));
     child.wait()?;
     match written {
         // Nobody has to read to the end.

@@ -24,9 +24,7 @@ pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
 fn hangup() -> Option<i32> {
     let hangup = signal_hook::consts::SIGHUP;
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let mask = status
-        .lines()
-        .find_map(|line| line.strip_prefix("SigIgn:"))?;
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;
     let mask = u64::from_str_radix(mask.trim(), 16).ok()?;
     (mask & (1 << (hangup - 1)) == 0).then_some(hangup)
 }

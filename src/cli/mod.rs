@@ -408,20 +408,12 @@ mod tests {
         let below = commands.iter().flat_map(of);
         for command in commands.iter().cloned().chain(below) {
             let name = command.get_display_name().unwrap().replace('-', " ");
-            let help = command
-                .get_after_help()
-                .map(ToString::to_string)
-                .unwrap_or_default();
-            let example = help
-                .lines()
-                .find_map(|line| line.trim().strip_prefix("contrecoup "));
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let example = help.lines().find_map(|line| line.trim().strip_prefix("contrecoup "));
             let example = example.unwrap_or_else(|| panic!("{name} has no example"));
             let typed = example.split(" > ").next().unwrap();
             let words = shell_words::split(&format!("contrecoup {typed}")).unwrap();
-            assert!(
-                words.join(" ").replace('-', " ").starts_with(&name),
-                "{name}: {example}"
-            );
+            assert!(words.join(" ").replace('-', " ").starts_with(&name), "{name}: {example}");
             if let Err(error) = Cli::try_parse_from(&words) {
                 panic!("{example}: {error}");
             }

@@ -6,8 +6,7 @@ use serde::Serialize;
 
 use crate::cli::{CliError, PresetsArgs, PresetsCommand};
 use crate::plain_text::{printable, printable_lines, write_json};
-use crate::scenario::library;
-use crate::scenario::library::Origin;
+use crate::scenario::{library, library::Origin};
 
 /// One preset as JSON and as a line of the list.
 #[derive(Serialize)]
@@ -28,11 +27,8 @@ pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let Some(PresetsCommand::Show { name }) = &args.command {
         let text = library::find(name)?.text()?;
         // A file or a program gets the bytes; a terminal would obey what stands in a comment.
-        let shown = if io::stdout().is_terminal() {
-            printable_lines(&text)
-        } else {
-            text.as_ref().into()
-        };
+        let shown =
+            if io::stdout().is_terminal() { printable_lines(&text) } else { text.as_ref().into() };
         out.write_all(shown.as_bytes())?;
         return Ok(());
     }
@@ -47,12 +43,7 @@ pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
         let mark = if row.file.is_some() { "  (yours)" } else { "" };
         let said = row.title.or(row.error).unwrap_or_default();
         let said = said.lines().next().unwrap_or_default();
-        writeln!(
-            out,
-            "{:width$}  {}{mark}",
-            printable(&row.name),
-            printable(said)
-        )?;
+        writeln!(out, "{:width$}  {}{mark}", printable(&row.name), printable(said))?;
     }
     Ok(())
 }

@@ -33,11 +33,7 @@ struct Line {
 
 impl Progress {
     pub fn new() -> Self {
-        Self {
-            began: Instant::now(),
-            visible: io::stderr().is_terminal(),
-            line: Mutex::default(),
-        }
+        Self { began: Instant::now(), visible: io::stderr().is_terminal(), line: Mutex::default() }
     }
 
     fn line(&self) -> MutexGuard<'_, Line> {

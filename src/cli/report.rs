@@ -22,10 +22,8 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let command = repeating(args);
     let entries = answered(&asked, |scenario| keep(scenario), "nothing was written")?;
     let failed = |error| CliError::Failed(format!("cannot write {name}: {error}"));
-    whole_file::write(&args.output, |file| {
-        write(form, &entries, Some(&command), file)
-    })
-    .map_err(failed)?;
+    whole_file::write(&args.output, |file| write(form, &entries, Some(&command), file))
+        .map_err(failed)?;
     writeln!(out, "{name}: written")?;
     Ok(())
 }

@@ -4,15 +4,12 @@ use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use crate::answer::choose;
-use crate::answer::complete::complete;
-use crate::answer::solve::solve;
+use crate::answer::{choose, complete::complete, solve::solve};
 use crate::cli::progress::Progress;
 use crate::cli::{CliError, RunArgs};
 use crate::plain_text::write_json;
 use crate::report::{first_page, json, text};
-use crate::run::kept::Keep;
-use crate::run::refusal::Refusal;
+use crate::run::{kept::Keep, refusal::Refusal};
 use crate::scenario::set::full_path;
 use crate::scenario::{EyeInput, Scenario};
 
@@ -69,19 +66,12 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
 /// as part of a group.
 fn numerics_set<'a>(args: &'a RunArgs, scenario: &Scenario) -> Option<&'a str> {
     let level_is_given = scenario.eye.level != EyeInput::default().level;
-    let paths = args
-        .scenario
-        .changes
-        .assignments
-        .iter()
-        .map(|a| a.path.as_str());
-    paths
-        .into_iter()
-        .find(|path| match full_path(scenario, path) {
-            "eye.level" => true,
-            "eye" => level_is_given,
-            path => path.starts_with("numerics"),
-        })
+    let paths = args.scenario.changes.assignments.iter().map(|a| a.path.as_str());
+    paths.into_iter().find(|path| match full_path(scenario, path) {
+        "eye.level" => true,
+        "eye" => level_is_given,
+        path => path.starts_with("numerics"),
+    })
 }
 
 /// A refusal with the place in the file that asked for it.

@@ -12,9 +12,8 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::atomic::Ordering;
 
-use crate::cli::interrupt;
-use crate::cli::progress::Progress;
 use crate::cli::{CliError, SweepArgs};
+use crate::cli::{interrupt, progress::Progress};
 use crate::many::sweep::{Sweep, SweepAxis, SweepRow};
 use crate::plain_text;
 use crate::plain_text::{printable_path, quoted};
@@ -69,11 +68,7 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
         };
         CliError::Input(plain_text::lines(error.problems.iter().map(line)))
     })?;
-    let form = if args.json {
-        SweepFormat::Json
-    } else {
-        SweepFormat::Csv
-    };
+    let form = if args.json { SweepFormat::Json } else { SweepFormat::Csv };
     let rows = args.shard.rows(sweep.rows());
     let Some(path) = &args.out else {
         out.write_all(form.heading(&sweep).as_bytes())?;
@@ -91,11 +86,7 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
         CliError::Output(error) => CliError::Failed(said(&format!("cannot be written: {error}"))),
         other => other,
     })?;
-    let before = if done > 0 {
-        format!(" to the {done} that were there")
-    } else {
-        String::new()
-    };
+    let before = if done > 0 { format!(" to the {done} that were there") } else { String::new() };
     writeln!(out, "{}", said(&format!("{left} rows added{before}")))?;
     Ok(())
 }
@@ -150,18 +141,13 @@ fn work(
     // The sink stays on this thread; rows come to it by channel, in their order.
     std::thread::scope(|scope| {
         let helper = std::thread::Builder::new().spawn_scoped(scope, move || {
-            ordered::run((done, rows.len()), stopped, job, |_, row| {
-                match send.send(row) {
-                    Ok(()) => ControlFlow::Continue(()),
-                    Err(_) => ControlFlow::Break(()),
-                }
+            ordered::run((done, rows.len()), stopped, job, |_, row| match send.send(row) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
             });
         });
         let alone = (done..rows.len()).map_while(|at| helper.is_err().then(|| job(at)).flatten());
-        let _ = receive
-            .into_iter()
-            .chain(alone)
-            .try_for_each(|row| put(&row));
+        let _ = receive.into_iter().chain(alone).try_for_each(|row| put(&row));
     });
     progress.clear();
     if let Some(error) = failed {
@@ -194,18 +180,11 @@ fn open(
         ));
     }
     let mut options = OpenOptions::new();
-    let mut file = options
-        .read(true)
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(path)
-        .map_err(failed)?;
+    let mut file =
+        options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => {
-            return Err(CliError::Failed(format!(
-                "{name} is being written by another run"
-            )));
+            return Err(CliError::Failed(format!("{name} is being written by another run")));
         }
         // Some network file systems have no locks; then nobody is told of a second writer.
         Ok(()) | Err(TryLockError::Error(_)) => {}
@@ -229,10 +208,7 @@ fn open(
     let mut line = Vec::new();
     loop {
         line.clear();
-        let read = reader
-            .by_ref()
-            .take(LONGEST_LINE)
-            .read_until(b'\n', &mut line);
+        let read = reader.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut line);
         let read = read.map_err(failed)? as u64;
         if read < LONGEST_LINE && line.last() != Some(&b'\n') {
             // The end, or a line that a kill tore.
@@ -280,9 +256,8 @@ mod tests {
         for bad in ["", "1", "0/2", "3/2", "a/b", "-1/2", "1/0"] {
             assert!(shard(bad).is_err(), "{bad}");
         }
-        let mut all: Vec<usize> = (1..=3)
-            .flat_map(|i| shard(&format!("{i}/3")).unwrap().rows(10))
-            .collect();
+        let mut all: Vec<usize> =
+            (1..=3).flat_map(|i| shard(&format!("{i}/3")).unwrap().rows(10)).collect();
         all.sort_unstable();
         assert_eq!(all, (0..10).collect::<Vec<_>>());
         assert_eq!(shard("2/3").unwrap().rows(10), [1, 4, 7]);

@@ -2,9 +2,8 @@
 
 use std::io::Write;
 
-use crate::cli::interrupt;
-use crate::cli::progress::Progress;
 use crate::cli::{CliError, ThresholdArgs};
+use crate::cli::{interrupt, progress::Progress};
 use crate::many::threshold::{ThresholdSearch, usual, wanted};
 use crate::plain_text::write_json;
 use crate::report::threshold::{json, text};

@@ -13,12 +13,9 @@ use crate::plain_text::write_json;
 use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
 use crate::run::threads;
 use crate::verify::claims::{FINEST_CHECKED, Study, check};
-use crate::verify::fit::fit;
 use crate::verify::hard_cases::{self, CaseVerdict};
-use crate::verify::measured_orbit::InOrbit;
-use crate::verify::rerun::rerun_all;
 use crate::verify::scenes::{MAX_SCENES, Scenes};
-use crate::verify::tissue_fit::fit_tissues;
+use crate::verify::{fit::fit, measured_orbit::InOrbit, rerun::rerun_all, tissue_fit::fit_tissues};
 
 /// Arguments of `verify`.
 #[derive(Debug, Args)]
@@ -176,9 +173,7 @@ fn run_hard_cases(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError
     let outcomes = shown("hard cases", |watch| hard_cases::run(watch));
     print(args, &outcomes[..], cases::json, cases::text, out)?;
     out.flush()?;
-    let wrong = outcomes
-        .iter()
-        .filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
+    let wrong = outcomes.iter().filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
     let names: Vec<&str> = wrong.map(|outcome| outcome.name).collect();
     if names.is_empty() {
         return Ok(());

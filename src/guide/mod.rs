@@ -5,10 +5,7 @@
 //! of topics; its title is its first line. Tables of figures stand between comments that name
 //! where they come from: `tests/program/figures.rs` makes them.
 
-#![allow(
-    clippy::doc_markdown,
-    reason = "pages are prose, in which methods and units are words"
-)]
+#![allow(clippy::doc_markdown, reason = "pages are prose, in which methods and units are words")]
 
 use std::fmt::Write;
 

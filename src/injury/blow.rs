@@ -86,11 +86,7 @@ impl Blow {
         let aslant = if spatial { 0.0 } else { off_axis };
         let Some(object) = scenario.projectile() else {
             // Nobody has pushed an eye with a given force.
-            return Self {
-                wider: 1.0,
-                aslant,
-                ..Self::default()
-            };
+            return Self { wider: 1.0, aslant, ..Self::default() };
         };
         let energy = energy_over_area(object);
         let wider = ramp(object.diameter_mm, WIDTH_MM);
@@ -99,11 +95,7 @@ impl Blow {
         let inflated = matches!(object.surface, Surface::Inflated { .. });
         Self {
             energy: Some(energy),
-            tested: if human {
-                (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness)
-            } else {
-                0.0
-            },
+            tested: if human { (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness) } else { 0.0 },
             wider,
             aslant,
             round_rim: if in_round_orbit(scenario) {

@@ -5,8 +5,7 @@
 //! "Prediction of retinal damage"). It is an index, not a probability: above 100 it grades the
 //! extent. The paper gives no source for its weights and thresholds.
 
-use crate::run::quantity::Quantity;
-use crate::run::readings::Readings;
+use crate::run::{quantity::Quantity, readings::Readings};
 
 /// One of the three parts of the index.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,20 +17,11 @@ pub struct Term {
 }
 
 /// Growth of the shell's length, in %.
-pub const SHELL: Term = Term {
-    weight: 25.0,
-    threshold: 1.5,
-};
+pub const SHELL: Term = Term { weight: 25.0, threshold: 1.5 };
 /// Growth of the vertical diameter, in %.
-pub const MERIDIAN: Term = Term {
-    weight: 25.0,
-    threshold: 4.0,
-};
+pub const MERIDIAN: Term = Term { weight: 25.0, threshold: 4.0 };
 /// Energy imparted, in J.
-pub const ENERGY: Term = Term {
-    weight: 50.0,
-    threshold: 5.3,
-};
+pub const ENERGY: Term = Term { weight: 50.0, threshold: 5.3 };
 
 impl Term {
     /// What `value` adds to the index, in %; nothing below 0.
@@ -78,21 +68,13 @@ mod tests {
 
     #[test]
     fn every_part_at_its_threshold_makes_one_hundred() {
-        let index = DamageIndex {
-            shell_growth: 1.5,
-            meridian_growth: 4.0,
-            energy: 5.3,
-        };
+        let index = DamageIndex { shell_growth: 1.5, meridian_growth: 4.0, energy: 5.3 };
         assert!((index.damage() - 100.0).abs() < 1e-12);
     }
 
     #[test]
     fn shrinking_counts_as_nothing() {
-        let index = DamageIndex {
-            shell_growth: -1.0,
-            meridian_growth: -2.0,
-            energy: 0.53,
-        };
+        let index = DamageIndex { shell_growth: -1.0, meridian_growth: -2.0, energy: 0.53 };
         assert!((index.damage() - 5.0).abs() < 1e-12);
     }
 }

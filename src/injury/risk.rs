@@ -14,10 +14,9 @@
 //!
 //! Left out: that injuries hang together, but for what the words say of a burst globe.
 
-use crate::injury::blow::Blow;
-use crate::injury::energy::EnergyCurve;
 use crate::injury::equivalent::{Equivalent, equivalent};
 use crate::injury::kind::{Injury, PerInjury};
+use crate::injury::{blow::Blow, energy::EnergyCurve};
 use crate::normal;
 use libm::{exp, hypot, log, log10, pow};
 
@@ -70,26 +69,14 @@ pub struct Risk {
 
 /// What a reader must know before believing a risk, and the same in short.
 const NOTES: [(&str, &str); 6] = [
-    (
-        "so small, hard and fast an object may go in",
-        "the object may go in",
-    ),
+    ("so small, hard and fast an object may go in", "the object may go in"),
     (
         "of the impact alone: suction as the ball leaves is not in it, and clinics see hyphema",
         "hyphema: suction not counted",
     ),
-    (
-        "the object is larger than any that was tested",
-        "larger than any tested object",
-    ),
-    (
-        "no eye was tested with a given force",
-        "no eye was tested with a given force",
-    ),
-    (
-        "bone is taken as round: see guide sides",
-        "bone taken as round",
-    ),
+    ("the object is larger than any that was tested", "larger than any tested object"),
+    ("no eye was tested with a given force", "no eye was tested with a given force"),
+    ("bone is taken as round: see guide sides", "bone taken as round"),
     (
         "from the side this place is a ring around the blow, not the anatomical one",
         "from the side: places are rings round the blow",
@@ -193,9 +180,7 @@ impl Injury {
             blow.aslant > 0.0 && !rupture && self != Self::CornealAbrasion,
         ];
         let notes = NOTES.iter().zip(hold);
-        notes
-            .filter_map(|((note, _), holds)| holds.then_some(*note))
-            .collect()
+        notes.filter_map(|((note, _), holds)| holds.then_some(*note)).collect()
     }
 }
 
@@ -205,11 +190,7 @@ mod tests {
     use crate::scenario::library::tests::preset;
 
     fn known(value: f64) -> Known {
-        Known {
-            value,
-            error: 0.1,
-            ..Known::default()
-        }
+        Known { value, error: 0.1, ..Known::default() }
     }
 
     #[test]
@@ -285,9 +266,6 @@ mod tests {
         assert!(rupture.risk(&Blow { tested: 0.0, ..bb }, 0.064) < 0.9);
         // The retina's published curve is too thin to count.
         let back = Injury::RetinaBack;
-        assert_eq!(
-            back.risk(&bb, 0.02),
-            back.risk(&Blow { tested: 0.0, ..bb }, 0.02)
-        );
+        assert_eq!(back.risk(&bb, 0.02), back.risk(&Blow { tested: 0.0, ..bb }, 0.02));
     }
 }

@@ -1,7 +1,6 @@
 //! A range of risk in words and in whole percent.
 
-use crate::injury::kind::Injury;
-use crate::injury::risk::Risk;
+use crate::injury::{kind::Injury, risk::Risk};
 
 /// Said of what may be more.
 pub const AT_LEAST: &str = "at least";
@@ -12,12 +11,8 @@ pub const SIGNS: &str = "Pain, poor vision, blood, an odd pupil or double vision
     today; a low figure is no reassurance. Research and education, not diagnosis.";
 
 /// Upper ends of risk, in %, with the word for risks below each.
-const SCALE: [(f64, &str); 4] = [
-    (5.0, "unlikely"),
-    (50.0, "possible"),
-    (95.5, "likely"),
-    (f64::INFINITY, "almost certain"),
-];
+const SCALE: [(f64, &str); 4] =
+    [(5.0, "unlikely"), (50.0, "possible"), (95.5, "likely"), (f64::INFINITY, "almost certain")];
 
 /// The place in the scale of words of a risk from 0 to 1, as it is printed.
 pub fn gravity(risk: f64) -> usize {
@@ -43,11 +38,7 @@ fn is_inner(risk: &str) -> bool {
 /// A range of risks from 0 to 1, in whole %, as in `27-94 %`.
 pub fn span((low, high): (f64, f64)) -> String {
     let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
-    if least == most {
-        whole(low)
-    } else {
-        format!("{least}-{most} %")
-    }
+    if least == most { whole(low) } else { format!("{least}-{most} %") }
 }
 
 impl Risk {

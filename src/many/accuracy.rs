@@ -10,17 +10,12 @@
 //! Left out: methods that choose their own step, whose tolerance a scenario does not hold, and
 //! steps so short that only a step error shows them.
 
-use crate::answer::compiled::Compiled;
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::answer::results::Results;
+use crate::answer::{compiled::Compiled, results::Results};
 use crate::many::statistics::median;
 use crate::models::rules;
-use crate::run::kept::Keep;
-use crate::run::plan::Plan;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::rules::Element;
 use crate::run::watch::Watch;
+use crate::run::{kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal, rules::Element};
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 use std::collections::HashSet;
 use std::ops::ControlFlow;
@@ -29,8 +24,7 @@ use std::time::Instant;
 /// The finest level that is tried for a scenario.
 pub fn finest_tried(scenario: &Scenario) -> u32 {
     let mesh = &rules(scenario).mesh;
-    mesh.finest
-        .min(mesh.finest_in_study.max(scenario.eye.level))
+    mesh.finest.min(mesh.finest_in_study.max(scenario.eye.level))
 }
 
 /// Shares of the stability limit that are tried beside that of an answer.
@@ -165,9 +159,7 @@ impl Accuracy {
     /// The result to show: the chosen one where its error is known, else pressure, else damage.
     pub fn to_show(&self, chosen: Option<Quantity>) -> Option<Quantity> {
         let known = self.results();
-        let mut own = chosen
-            .into_iter()
-            .chain([Quantity::Pressure, Quantity::Damage]);
+        let mut own = chosen.into_iter().chain([Quantity::Pressure, Quantity::Damage]);
         let there = own.find(|of| known.contains(of));
         there.or(known.first().copied())
     }
@@ -336,10 +328,7 @@ mod tests {
     use crate::run::watch::{stop_if, unwatched};
 
     fn short() -> CheckedScenario {
-        let scenario = Scenario {
-            window_ms: Some(0.3),
-            ..Scenario::default()
-        };
+        let scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
         scenario.check().unwrap()
     }
 
@@ -348,13 +337,10 @@ mod tests {
         const FINEST: u32 = 3;
         let scenario = short();
         let mut last = None;
-        let stopped = measure(
-            &scenario,
-            FINEST,
-            None,
-            &mut |share| stop_if(share > 0.3),
-            &mut |accuracy| last = Some(accuracy.clone()),
-        );
+        let stopped =
+            measure(&scenario, FINEST, None, &mut |share| stop_if(share > 0.3), &mut |accuracy| {
+                last = Some(accuracy.clone())
+            });
         assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
         let part = last.unwrap();
         let before = part.clone();

@@ -7,8 +7,7 @@
 //!
 //! Left out: how sure the quantiles themselves are.
 
-use crate::answer::brief::BriefAnswer;
-use crate::answer::uncertain::UncertainInput;
+use crate::answer::{brief::BriefAnswer, uncertain::UncertainInput};
 use crate::many::ensemble::{Ensemble, PILOT, Sample};
 use crate::many::statistics::{quantile, rank_correlation};
 use crate::run::quantity::Quantity;
@@ -58,9 +57,7 @@ impl Ensemble {
 
     /// The samples that the bands hold: all that ran.
     pub fn valid(&self) -> impl Iterator<Item = (&Sample, &BriefAnswer)> {
-        self.samples
-            .iter()
-            .filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
+        self.samples.iter().filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
     }
 
     /// Which samples the bands hold, in words.
@@ -106,11 +103,7 @@ impl Ensemble {
         values.sort_by(f64::total_cmp);
         let finite = values.iter().all(|v| v.is_finite());
         let at = |p| quantile(&values, p).filter(|_| finite);
-        Some(Band {
-            low: at(tail(of))?,
-            median: at(0.5)?,
-            high: at(1.0 - tail(of))?,
-        })
+        Some(Band { low: at(tail(of))?, median: at(0.5)?, high: at(1.0 - tail(of))? })
     }
 
     /// Whether a result of the scenario as it stands lies outside its band, and the input that may

@@ -12,11 +12,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::answer::complete::complete;
 use crate::answer::solve::{Answer, solve};
-use crate::run::kept::Keep;
-use crate::run::ordered;
-use crate::run::ordered::until;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
+use crate::run::{kept::Keep, ordered, ordered::until, quantity::Quantity, refusal::Refusal};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// The share of the progress of an answer that stands for its first run.
@@ -149,9 +145,7 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
         })
     };
     let all = Quantity::ALL.iter().copied();
-    let mut shown: Vec<Quantity> = all
-        .filter(|of| worth(*of) || sorted_by == Some(*of))
-        .collect();
+    let mut shown: Vec<Quantity> = all.filter(|of| worth(*of) || sorted_by == Some(*of)).collect();
     shown.sort_by_key(|of| !of.is_risk());
     shown
 }
@@ -193,10 +187,7 @@ pub fn compare(
             Err(refusal) => Found::Refused(refusal.to_string()),
             Ok(answer) => Found::Answer(answer),
         };
-        Some(Entry {
-            found,
-            ..Entry::new(name, scenario)
-        })
+        Some(Entry { found, ..Entry::new(name, scenario) })
     };
     ordered::run((0, asked.len()), stop, job, |at, entry| {
         tell(at, 1.0);
@@ -216,10 +207,7 @@ mod tests {
     use std::sync::atomic::Ordering as Memory;
 
     fn of(force: &str) -> (String, CheckedScenario) {
-        let mut scenario = Scenario {
-            window_ms: Some(0.3),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
         set(&mut scenario, "impact.force_n", force).unwrap();
         (force.to_owned(), scenario.check().unwrap())
     }

@@ -21,8 +21,7 @@ use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
 use crate::injury::{Blow, Injury, PerInjury};
 use crate::many::statistics::median;
 use crate::run::ordered::{self, until};
-use crate::run::refusal::Refusal;
-use crate::run::threads;
+use crate::run::{refusal::Refusal, threads};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
@@ -173,11 +172,7 @@ impl Job<'_> {
         let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
         let outcome = outcome.map(|mut answer| {
             if let Some(place) = curves {
-                let each = self
-                    .inputs
-                    .iter()
-                    .zip(&drawn)
-                    .map(|(input, v)| input.moves_curves(*v));
+                let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
                 let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
                     std::array::from_fn(|i| sum[i] + one[i])
                 });
@@ -187,10 +182,7 @@ impl Job<'_> {
         });
         match outcome {
             Err(Refusal::Cancelled) => None,
-            other => Some(Sample {
-                drawn,
-                outcome: other.map_err(|refusal| name(&refusal)),
-            }),
+            other => Some(Sample { drawn, outcome: other.map_err(|refusal| name(&refusal)) }),
         }
     }
 }
@@ -267,10 +259,7 @@ pub fn run(
     };
     let count = count.min(MAX_SAMPLES);
     let mut ensemble = match known {
-        Some(known) => Ensemble {
-            asked: count,
-            ..known
-        },
+        Some(known) => Ensemble { asked: count, ..known },
         None => Ensemble {
             inputs: inputs.clone(),
             nominal: match single(scenario, None, &mut until(stop)) {
@@ -282,12 +271,7 @@ pub fn run(
             seed,
             cap: None,
             promise: promise_percent(scenario),
-            timing: Timing {
-                wall: 0.0,
-                cores: 0.0,
-                single: None,
-                threads: threads::count(),
-            },
+            timing: Timing { wall: 0.0, cores: 0.0, single: None, threads: threads::count() },
         },
     };
     let before = ensemble.timing.wall;
@@ -309,15 +293,11 @@ pub fn run(
 mod tests {
     use super::*;
     use crate::answer::brief::Check;
-    use crate::run::quantity::Quantity;
-    use crate::run::watch::stop_if;
+    use crate::run::{quantity::Quantity, watch::stop_if};
     use crate::scenario::set::set;
 
     fn quick() -> Scenario {
-        let mut scenario = Scenario {
-            window_ms: Some(0.3),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
         set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();
         scenario
     }
@@ -327,14 +307,8 @@ mod tests {
     }
 
     fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
-        run(
-            &scenario.check().unwrap(),
-            (count, seed),
-            None,
-            &AtomicBool::new(false),
-            &proceed,
-        )
-        .unwrap()
+        run(&scenario.check().unwrap(), (count, seed), None, &AtomicBool::new(false), &proceed)
+            .unwrap()
     }
 
     #[test]
@@ -379,10 +353,7 @@ mod tests {
         let (a, b) = (ensemble(&sure, 8, 2), first.band(Quantity::Damage).unwrap());
         assert_ne!(first.samples, a.samples);
         assert!(b.low < b.median && b.median < b.high);
-        assert!(
-            first.drivers(Quantity::Damage)[0].1 > 0.99,
-            "more force, more damage"
-        );
+        assert!(first.drivers(Quantity::Damage)[0].1 > 0.99, "more force, more damage");
         sure.doubt.insert("impact.force_n".to_owned(), 0.0);
         let none = ensemble(&sure, 8, 1).band(Quantity::Damage).unwrap();
         assert!(none.low == none.median && none.median == none.high);
@@ -403,10 +374,7 @@ mod tests {
         }
         // Soft fat lets the eye go farther than the paper's own, which stands at the stiff end.
         let soft = ensemble(&fat, 32, 1);
-        let apart = |of| {
-            soft.outside(of)
-                .map(|why| why.map(|input| input.field.path))
-        };
+        let apart = |of| soft.outside(of).map(|why| why.map(|input| input.field.path));
         assert_eq!(apart(Quantity::Energy), Some(Some("eye.fat_kpa")));
         let mut sure = fat;
         sure.doubt.insert("eye.fat_kpa".to_owned(), 0.0);
@@ -415,10 +383,7 @@ mod tests {
         assert!(forced.outside(Quantity::Energy).is_none());
         forced.nominal.as_mut().unwrap()[Quantity::Energy] = Some(1e3);
         let why = forced.outside(Quantity::Energy);
-        assert!(
-            why.is_some_and(|why| why.is_none()),
-            "no input stands at an end"
-        );
+        assert!(why.is_some_and(|why| why.is_none()), "no input stands at an end");
     }
 
     #[test]
@@ -429,12 +394,7 @@ mod tests {
                 ranges: None,
                 values: Results::from_fn(|_| None),
                 flags: Vec::new(),
-                check: Some(Check {
-                    first,
-                    tried,
-                    last: 0.01,
-                    good_step,
-                }),
+                check: Some(Check { first, tried, last: 0.01, good_step }),
             }),
         };
         let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
@@ -462,12 +422,7 @@ mod tests {
         set(&mut scenario, "eye.opening_deg", "40 ± 5").unwrap();
         let ensemble = ensemble(&scenario, 16, 1);
         let refused = "refused: impact.angle_deg not allowed";
-        let count = ensemble
-            .counts()
-            .iter()
-            .find(|(n, _)| n == refused)
-            .unwrap()
-            .1;
+        let count = ensemble.counts().iter().find(|(n, _)| n == refused).unwrap().1;
         assert!((4..13).contains(&count), "{count}");
         assert_eq!(ensemble.valid().count() + count, 16);
     }

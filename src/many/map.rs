@@ -7,12 +7,10 @@
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
-use crate::answer::brief::single;
-use crate::answer::results::Results;
+use crate::answer::{brief::single, results::Results};
 use crate::many::sweep::spaced;
 use crate::run::ordered::{self, until};
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
+use crate::run::{quantity::Quantity, refusal::Refusal};
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};
 use std::ops::ControlFlow;
@@ -92,10 +90,7 @@ pub struct Grid {
 impl Grid {
     /// An empty grid of `side` points a side, which is 2^k + 1.
     pub fn new(side: usize) -> Self {
-        Self {
-            side,
-            spots: vec![None; side * side],
-        }
+        Self { side, spots: vec![None; side * side] }
     }
 
     /// Points a side.
@@ -142,9 +137,7 @@ impl Grid {
     /// The largest of a result over all points, in its unit; none where no point has it.
     pub fn largest(&self, quantity: Quantity) -> Option<f64> {
         let values = self.spots.iter().flatten();
-        values
-            .filter_map(|spot| spot.value(quantity))
-            .reduce(f64::max)
+        values.filter_map(|spot| spot.value(quantity)).reduce(f64::max)
     }
 
     /// A result at a place, both from 0 to 1; nothing where too little is known to say anything.
@@ -247,23 +240,13 @@ mod tests {
     use crate::scenario::fields::find;
 
     fn spans() -> (Span, Span) {
-        let span = |path, from, to| Span {
-            field: find(path).unwrap(),
-            from,
-            to,
-        };
-        (
-            span("impact.force_n", 50.0, 250.0),
-            span("impact.angle_deg", 0.0, 60.0),
-        )
+        let span = |path, from, to| Span { field: find(path).unwrap(), from, to };
+        (span("impact.force_n", 50.0, 250.0), span("impact.angle_deg", 0.0, 60.0))
     }
 
     #[test]
     fn a_grid_is_filled_in_from_its_corners_and_goes_on_where_it_was_stopped() {
-        let scenario = Scenario {
-            window_ms: Some(0.3),
-            ..Scenario::default()
-        };
+        let scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
         let of = Quantity::Damage;
         let coarse = |grid: &Grid| {
             // Nothing is said of a place before its corners are known.
@@ -274,30 +257,17 @@ mod tests {
             }
             ControlFlow::Continue(())
         };
-        let part = fill(
-            &scenario,
-            spans(),
-            Grid::new(5),
-            &AtomicBool::new(false),
-            &coarse,
-        );
+        let part = fill(&scenario, spans(), Grid::new(5), &AtomicBool::new(false), &coarse);
         assert_eq!(part.known(), (9, 25));
         let proceed = |_: &Grid| ControlFlow::Continue(());
         let fresh = || AtomicBool::new(false);
         let whole = fill(&scenario, spans(), part.clone(), &fresh(), &proceed);
-        assert_eq!(
-            whole,
-            fill(&scenario, spans(), Grid::new(5), &fresh(), &proceed)
-        );
+        assert_eq!(whole, fill(&scenario, spans(), Grid::new(5), &fresh(), &proceed));
         assert_eq!(whole.known(), (25, 25));
         for at in part.order().into_iter().take(9) {
             assert_eq!(part.at(at), whole.at(at));
         }
-        assert_eq!(
-            whole.at((0, 4)),
-            Some(&Spot::Refused),
-            "60 deg lies behind bone"
-        );
+        assert_eq!(whole.at((0, 4)), Some(&Spot::Refused), "60 deg lies behind bone");
         for of in [Quantity::Damage, Quantity::ForceFront] {
             let value = |x| whole.at((x, 0)).unwrap().value(of).unwrap();
             assert!((0..5).map(value).is_sorted());

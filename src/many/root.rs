@@ -29,11 +29,7 @@ impl Bracket {
     pub fn secant(&self) -> f64 {
         let ((a, fa), (b, fb)) = (self.low, self.high);
         let at = (fb * a - fa * b) / (fb - fa);
-        if (a..=b).contains(&at) {
-            at
-        } else {
-            self.middle()
-        }
+        if (a..=b).contains(&at) { at } else { self.middle() }
     }
 }
 
@@ -60,17 +56,9 @@ pub fn narrowed<E>(
         let guess = now.secant();
         let side = if middle >= guess { 1.0 } else { -1.0 };
         let moved = MOVE / whole * span * span;
-        let moved = if moved <= (middle - guess).abs() {
-            guess + side * moved
-        } else {
-            middle
-        };
+        let moved = if moved <= (middle - guess).abs() { guess + side * moved } else { middle };
         let most = (tolerance * libm::exp2(f64::from(halvings + 1 - step)) - 0.5 * span).max(0.0);
-        let at = if (moved - middle).abs() <= most {
-            moved
-        } else {
-            middle - side * most
-        };
+        let at = if (moved - middle).abs() <= most { moved } else { middle - side * most };
         // Between two neighbours there is nothing more to find.
         if at <= now.low.0 || at >= now.high.0 {
             break;
@@ -92,10 +80,7 @@ mod tests {
     /// The root between two numbers, and how often the function was asked.
     fn root(f: impl Fn(f64) -> f64, (a, b): (f64, f64), width: f64) -> (f64, u32) {
         let mut asked = 0;
-        let bracket = Bracket {
-            low: (a, f(a)),
-            high: (b, f(b)),
-        };
+        let bracket = Bracket { low: (a, f(a)), high: (b, f(b)) };
         let found = narrowed(bracket, width, |x| {
             asked += 1;
             Ok::<_, ()>(f(x))
@@ -134,10 +119,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_computed_ends_the_search() {
-        let bracket = Bracket {
-            low: (0.0, -1.0),
-            high: (1.0, 1.0),
-        };
+        let bracket = Bracket { low: (0.0, -1.0), high: (1.0, 1.0) };
         assert_eq!(narrowed(bracket, 1e-3, |_| Err("no")), Err("no"));
     }
 }

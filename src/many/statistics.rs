@@ -30,9 +30,7 @@ fn ranks(of: &[f64]) -> Vec<f64> {
     let mut ranks = vec![0.0; of.len()];
     let mut from = 0;
     while from < order.len() {
-        let same = order[from..]
-            .iter()
-            .take_while(|&&i| of[i] == of[order[from]]);
+        let same = order[from..].iter().take_while(|&&i| of[i] == of[order[from]]);
         let to = from + same.count().max(1);
         for &i in &order[from..to] {
             ranks[i] = 0.5 * (from + to - 1) as f64;
@@ -53,11 +51,7 @@ pub fn rank_correlation(x: &[f64], y: &[f64]) -> f64 {
         xx += a * a;
         yy += b * b;
     }
-    if xx > 0.0 && yy > 0.0 {
-        xy / (xx * yy).sqrt()
-    } else {
-        0.0
-    }
+    if xx > 0.0 && yy > 0.0 { xy / (xx * yy).sqrt() } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -7,9 +7,7 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::brief::{BriefAnswer, checked};
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, model_first, set};
@@ -131,19 +129,12 @@ impl Sweep {
         }
         if rows > MAX_ROWS {
             let paths: Vec<_> = axes.iter().map(|axis| axis.path.as_str()).collect();
-            let counts: Vec<_> = axes
-                .iter()
-                .map(|axis| axis.values.len().to_string())
-                .collect();
+            let counts: Vec<_> = axes.iter().map(|axis| axis.values.len().to_string()).collect();
             let (paths, counts) = (paths.join(" and "), counts.join(" x "));
             let message = format!("{counts} = {rows} rows are too many: allowed up to {MAX_ROWS}");
             return Err(Problem::new(paths, message).into());
         }
-        Ok(Self {
-            scenario,
-            axes,
-            files,
-        })
+        Ok(Self { scenario, axes, files })
     }
 
     /// The axes.
@@ -235,10 +226,7 @@ mod tests {
 
     fn sweep(axes: &[&str]) -> Result<Sweep, ScenarioError> {
         let axes = axes.iter().map(|a| SweepAxis::read(a).unwrap()).collect();
-        let scenario = Scenario {
-            window_ms: Some(0.3),
-            ..Scenario::default()
-        };
+        let scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
         Sweep::new(scenario, axes)
     }
 
@@ -249,28 +237,17 @@ mod tests {
         assert_eq!(values("a=5:-5:3"), ["5", "0", "-5"]);
         assert_eq!(values("a=2:2:1"), ["2"]);
         assert_eq!(values("a=x, y"), ["x", "y"]);
-        for bad in [
-            "a",
-            "a=",
-            "=1",
-            "a=1:2",
-            "a=1:2:0",
-            "a=1:2:x",
-            "a=1:2:1",
-            "a=1,,2",
-            "a=nan:1:2",
-        ] {
+        for bad in
+            ["a", "a=", "=1", "a=1:2", "a=1:2:0", "a=1:2:x", "a=1:2:1", "a=1,,2", "a=nan:1:2"]
+        {
             assert!(SweepAxis::read(bad).is_err(), "{bad}");
         }
     }
 
     #[test]
     fn rows_go_through_the_grid_with_the_last_axis_fastest() {
-        let sweep = sweep(&[
-            "impact.force_n=100:300:3",
-            "impact.shape=triangle,half-sine",
-        ])
-        .unwrap();
+        let sweep =
+            sweep(&["impact.force_n=100:300:3", "impact.shape=triangle,half-sine"]).unwrap();
         assert_eq!(sweep.rows(), 6);
         assert_eq!(sweep.values(0), ["100", "Triangle"]);
         assert_eq!(sweep.values(3), ["200", "HalfSine"]);

@@ -12,8 +12,7 @@ pub mod spatial;
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::paper::case::PaperCase;
 use crate::models::spatial::case::{Scene, SpatialCase};
-use crate::run::model::EyeModel;
-use crate::run::rules::Rules;
+use crate::run::{model::EyeModel, rules::Rules};
 use crate::scenario::{CheckedScenario, Geometry, Impact, Model, Scenario};
 use std::sync::Arc;
 

@@ -100,12 +100,7 @@ impl Pulse {
 
     /// No force at any time, where something else acts.
     pub fn none() -> Self {
-        Self {
-            force: 0.0,
-            duration: 0.0,
-            shape: PulseShape::HalfSine,
-            lines: Arc::default(),
-        }
+        Self { force: 0.0, duration: 0.0, shape: PulseShape::HalfSine, lines: Arc::default() }
     }
 
     /// Time from the start of the blow to the last force, in s.
@@ -128,15 +123,9 @@ impl Pulse {
             PulseShape::HalfSine => vec![(t, Piece::Arch)],
             PulseShape::Table(_) => {
                 let numbered = self.lines.iter().enumerate();
-                numbered
-                    .map(|(i, line)| (line.end, Piece::Line(i)))
-                    .collect()
+                numbered.map(|(i, line)| (line.end, Piece::Line(i))).collect()
             }
-            _ => vec![
-                (edge, Piece::Rise),
-                (t - edge, Piece::Plateau),
-                (t, Piece::Fall),
-            ],
+            _ => vec![(edge, Piece::Rise), (t - edge, Piece::Plateau), (t, Piece::Fall)],
         };
         let mut start = 0.0;
         let mut segments = Vec::with_capacity(4);
@@ -187,12 +176,7 @@ mod tests {
     use super::*;
 
     fn pulse(shape: PulseShape) -> Pulse {
-        Pulse::new(&ForcePulse {
-            force_n: 100.0,
-            duration_ms: 0.2,
-            shape,
-            ..ForcePulse::default()
-        })
+        Pulse::new(&ForcePulse { force_n: 100.0, duration_ms: 0.2, shape, ..ForcePulse::default() })
     }
 
     fn table(knots: &[(f64, f64)]) -> PulseShape {
@@ -259,18 +243,11 @@ mod tests {
             for &t in times {
                 let (a, b) = (force_at(&table, t), force_at(&shape, t));
                 assert!((a[0] - b[0]).abs() < 1e-11, "{t}: {a:?} {b:?}");
-                assert!(
-                    (a[a.len() - 1] - b[b.len() - 1]).abs() < 1e-11,
-                    "{t}: {a:?} {b:?}"
-                );
+                assert!((a[a.len() - 1] - b[b.len() - 1]).abs() < 1e-11, "{t}: {a:?} {b:?}");
             }
         };
         let times: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.71e-5).collect();
-        same(
-            table(&[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)]),
-            PulseShape::Triangle,
-            &times,
-        );
+        same(table(&[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)]), PulseShape::Triangle, &times);
         same(
             table(&[(0.0, 1.0), (0.2, 1.0)]),
             PulseShape::SmoothRectangle { edge_fraction: 0.0 },
@@ -292,10 +269,7 @@ mod tests {
     #[test]
     fn a_duration_stretches_a_table_and_its_impulse() {
         let knots = [(0.02, 0.5), (0.05, 1.0), (0.1, 0.0)];
-        let mut input = ForcePulse {
-            force_n: 100.0,
-            ..ForcePulse::default()
-        };
+        let mut input = ForcePulse { force_n: 100.0, ..ForcePulse::default() };
         input.follow(Curve::new(knots).unwrap());
         let own = Pulse::new(&input);
         assert_eq!(own.duration(), 0.1e-3);

@@ -25,11 +25,7 @@ pub fn text(
         of.label(),
         kernel_name(false),
     )?;
-    writeln!(
-        out,
-        "level {counted:>10} {:>12}   mesh error",
-        of.row().short
-    )?;
+    writeln!(out, "level {counted:>10} {:>12}   mesh error", of.row().short)?;
     for (level, on) in (1..).zip(&accuracy.levels) {
         let error = match (on.folded, accuracy.mesh(level)) {
             (Some(_), _) => "mesh folded".to_owned(),
@@ -66,10 +62,7 @@ pub fn text(
             percent(total.error()),
         )?;
     }
-    writeln!(
-        out,
-        "* nothing that is faster has an error as small\n\nThe cheapest:"
-    )?;
+    writeln!(out, "* nothing that is faster has an error as small\n\nThe cheapest:")?;
     for tolerance in TOLERANCES {
         match cheapest(&fastest, tolerance).map(|at| &fastest[at]) {
             Some(total) => writeln!(

@@ -1,8 +1,7 @@
 //! How often what is claimed holds, as text of 80 columns and as one JSON object.
 
 use crate::answer::mesh_error::witnesses;
-use crate::report::format::block;
-use crate::report::format::significant;
+use crate::report::format::{block, significant};
 use crate::verify::claims::{Claim, Coverage, Fault, Findings, Study, Subject};
 use crate::verify::scenes::Scenes;
 use serde_json::{Value, json};
@@ -88,15 +87,10 @@ fn faults(found: &Findings) -> String {
 
 /// Some figure of every subject that has it, in one sentence.
 fn list(what: &str, rows: &[Coverage], figure: impl Fn(&Coverage) -> Option<String>) -> String {
-    let each = rows
-        .iter()
-        .filter_map(|row| Some(format!("{} {}", label(row.subject), figure(row)?)));
+    let each =
+        rows.iter().filter_map(|row| Some(format!("{} {}", label(row.subject), figure(row)?)));
     let each: Vec<String> = each.collect();
-    let each = if each.is_empty() {
-        "none".to_owned()
-    } else {
-        each.join(", ")
-    };
+    let each = if each.is_empty() { "none".to_owned() } else { each.join(", ") };
     format!("{what}: {each}.")
 }
 
@@ -154,27 +148,10 @@ pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
         return writeln!(out, "\nEvery claim held.");
     }
     writeln!(out, "\nClaims that did not hold: {}", misses.len())?;
-    writeln!(
-        out,
-        "{:<8}{first:<20}{:>14}{:>14}",
-        "scene", "claimed", "true"
-    )?;
-    for (
-        scene,
-        Claim {
-            subject,
-            claimed,
-            truth,
-            ..
-        },
-    ) in misses
-    {
+    writeln!(out, "{:<8}{first:<20}{:>14}{:>14}", "scene", "claimed", "true")?;
+    for (scene, Claim { subject, claimed, truth, .. }) in misses {
         let [claimed, truth] = [claimed, truth].map(|e| e.map_or_else(String::new, error));
-        writeln!(
-            out,
-            "{scene:<8}{:<20}{claimed:>14}{truth:>14}",
-            label(subject)
-        )?;
+        writeln!(out, "{scene:<8}{:<20}{claimed:>14}{truth:>14}", label(subject))?;
     }
     Ok(())
 }

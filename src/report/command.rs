@@ -2,9 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::scenario::Scenario;
-use crate::scenario::fields::FIELDS;
-use crate::scenario::set::set;
+use crate::scenario::{Scenario, fields::FIELDS, set::set};
 
 /// The arguments after the program's name and the subcommand: the source, and `--set` for each
 /// field that differs from it. `None` where no such list gives the scenario, as for a curve that
@@ -21,10 +19,7 @@ pub fn arguments(source: &str, original: &Scenario, scenario: &Scenario) -> Opti
         arguments.extend(["--set".to_owned(), format!("{}={text}", field.path)]);
     }
     // The name says what was set, and nothing follows from it.
-    let named = Scenario {
-        name: scenario.name.clone(),
-        ..built
-    };
+    let named = Scenario { name: scenario.name.clone(), ..built };
     let checked = |scenario: &Scenario| scenario.check().map(Scenario::from).ok();
     (named == *scenario || checked(&named) == Some(scenario.clone())).then_some(arguments)
 }
@@ -79,10 +74,7 @@ mod tests {
         let bb = find("bb-56").unwrap().scenario().unwrap();
         let said = arguments("my blow.ron", &bb, &bb).unwrap();
         assert_eq!(line("run", &said), "contrecoup run 'my blow.ron'");
-        assert_eq!(
-            line("run", &["{a,b}.ron".to_owned()]),
-            "contrecoup run '{a,b}.ron'"
-        );
+        assert_eq!(line("run", &["{a,b}.ron".to_owned()]), "contrecoup run '{a,b}.ron'");
     }
 
     #[test]

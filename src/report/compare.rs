@@ -78,9 +78,7 @@ impl Table {
                 }
             };
             let name = printable(&entry.name).into_owned();
-            remarks
-                .into_iter()
-                .map(move |remark| format!("{name}: {remark}"))
+            remarks.into_iter().map(move |remark| format!("{name}: {remark}"))
         };
         let answers: Vec<(&str, &Answer)> = entries
             .iter()
@@ -138,9 +136,7 @@ impl Table {
             paragraph(&printable(remark), out)?;
         }
         writeln!(out)?;
-        wrapped(SIGNS, WIDTH)
-            .iter()
-            .try_for_each(|line| writeln!(out, "{line}"))
+        wrapped(SIGNS, WIDTH).iter().try_for_each(|line| writeln!(out, "{line}"))
     }
 
     /// Prints it as Markdown.

@@ -2,8 +2,7 @@
 
 use crate::answer::uncertain::{Shape, UncertainInput};
 use crate::injury::SIGNS;
-use crate::many::bands::Band;
-use crate::many::ensemble::Ensemble;
+use crate::many::{bands::Band, ensemble::Ensemble};
 use crate::plain_text::printable;
 use crate::report::figure::number_of;
 use crate::report::format::{paragraph, percent, significant};
@@ -26,19 +25,13 @@ pub fn distribution(input: &UncertainInput) -> String {
         Shape::Normal(mean, sd) => ("normal", mean, "±", sd),
     };
     let (a, b) = (significant(a), significant(b));
-    format!("{kind} {a} {between} {b} {unit}")
-        .trim_end()
-        .to_owned()
+    format!("{kind} {a} {between} {b} {unit}").trim_end().to_owned()
 }
 
 /// Two digits, without a sign where they are zero.
 pub fn hundredths(value: f64) -> String {
     let text = format!("{value:.2}");
-    if text == "-0.00" {
-        "0.00".to_owned()
-    } else {
-        text
-    }
+    if text == "-0.00" { "0.00".to_owned() } else { text }
 }
 
 /// A bar from the middle, to the left for less than zero.
@@ -67,11 +60,7 @@ pub fn text(
         String::new()
     };
     writeln!(out, "{done} samples of seed {}{stopped}\n", ensemble.seed)?;
-    writeln!(
-        out,
-        "{:<22}{:>12}{:>12}{:>12}{:>16}",
-        "", "5 %", "median", "95 %", "as entered"
-    )?;
+    writeln!(out, "{:<22}{:>12}{:>12}{:>12}{:>16}", "", "5 %", "median", "95 %", "as entered")?;
     let mut risks = false;
     for quantity in ensemble.results() {
         let Some(band) = ensemble.band(quantity) else {
@@ -80,11 +69,7 @@ pub fn text(
         let Band { low, median, high } = band;
         if quantity.is_risk() && !risks {
             risks = true;
-            writeln!(
-                out,
-                "{:<22}{:>12}{:>12}{:>12}",
-                "", "10 %", "median", "90 %"
-            )?;
+            writeln!(out, "{:<22}{:>12}{:>12}{:>12}", "", "10 %", "median", "90 %")?;
         }
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
         let row = quantity.row();
@@ -172,11 +157,7 @@ fn outside(ensemble: &Ensemble) -> Vec<String> {
 
 fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
-    writeln!(
-        out,
-        "\nThe bands hold {valid} of {done} samples: {}",
-        ensemble.which()
-    )?;
+    writeln!(out, "\nThe bands hold {valid} of {done} samples: {}", ensemble.which())?;
     for (name, count) in ensemble.counts() {
         writeln!(out, "{count:>7}  {name}")?;
     }
@@ -221,21 +202,13 @@ fn cost(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
         each * 1e3,
     )?;
     if let Some(single) = timing.single {
-        write!(
-            out,
-            ", {:.2} times the single case ({:.2} ms)",
-            each / single,
-            single * 1e3
-        )?;
+        write!(out, ", {:.2} times the single case ({:.2} ms)", each / single, single * 1e3)?;
     }
     writeln!(out)?;
     let done = ensemble.samples.len();
     if done < MANY && !ensemble.stopped() {
         let wall = (timing.wall * MANY as f64 / done.max(1) as f64).max(1.0);
-        writeln!(
-            out,
-            "More samples, steadier bands: --samples {MANY} (about {wall:.0} s)"
-        )?;
+        writeln!(out, "More samples, steadier bands: --samples {MANY} (about {wall:.0} s)")?;
     }
     Ok(())
 }

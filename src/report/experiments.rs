@@ -39,9 +39,7 @@ fn measured(experiment: &Experiment) -> String {
 }
 
 fn number(predicted: &Result<f64, String>) -> String {
-    predicted
-        .as_ref()
-        .map_or_else(|_| "none".to_owned(), |value| digits(*value, 3))
+    predicted.as_ref().map_or_else(|_| "none".to_owned(), |value| digits(*value, 3))
 }
 
 fn note(text: &str, out: &mut dyn Write) -> io::Result<()> {
@@ -67,20 +65,14 @@ fn line(row: &Rerun, out: &mut dyn Write) -> io::Result<()> {
     );
     writeln!(out, "{line}")?;
     let standing = experiment.standing();
-    note(
-        &format!("{}; {}; {standing}", experiment.source, experiment.species),
-        out,
-    )?;
+    note(&format!("{}; {}; {standing}", experiment.source, experiment.species), out)?;
     for refusal in row.predicted.iter().filter_map(|p| p.as_ref().err()) {
         note(&format!("not run: {refusal}"), out)?;
     }
     if let Some(published) = &row.published {
         let figures = published.each_ref().map(number).join(", ");
         let (_, fat) = fat_mpa();
-        note(
-            &format!("with fat of {fat} MPa, as published: {figures} {unit}"),
-            out,
-        )?;
+        note(&format!("with fat of {fat} MPa, as published: {figures} {unit}"), out)?;
     }
     if !row.is_met() {
         note(&format!("not met, because {}", experiment.because), out)?;
@@ -93,11 +85,7 @@ fn line(row: &Rerun, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn lines(rows: &[&Rerun], out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "{:<41}{:>13} {:>6} {:>6} {:>6} in",
-        "level:", "measured", 1, 2, 3
-    )?;
+    writeln!(out, "{:<41}{:>13} {:>6} {:>6} {:>6} in", "level:", "measured", 1, 2, 3)?;
     rows.iter().try_for_each(|row| line(row, out))
 }
 
@@ -130,16 +118,8 @@ pub fn text((rows, again): &(Vec<Rerun>, InOrbit), out: &mut dyn Write) -> io::R
 
 /// Prints what the measured orbit gives.
 fn orbit_text(again: &InOrbit, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "In the measured orbit (numerics.geometry=Full), mesh level 1"
-    )?;
-    orbit_lines(
-        "fat, MPa:",
-        &FATS_MPA.map(|mpa| mpa.to_string()),
-        &again.fitted,
-        out,
-    )?;
+    writeln!(out, "In the measured orbit (numerics.geometry=Full), mesh level 1")?;
+    orbit_lines("fat, MPa:", &FATS_MPA.map(|mpa| mpa.to_string()), &again.fitted, out)?;
     let misfits = again.misfits();
     write!(out, "{:<41}{:>13}", "misfit, as the fit has it", "")?;
     for misfit in misfits {
@@ -236,22 +216,11 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
         fit.best.mpa
     )?;
     let (taken, published) = fat_mpa();
-    writeln!(
-        out,
-        "The program takes {taken}; published is {published}.\n"
-    )?;
+    writeln!(out, "The program takes {taken}; published is {published}.\n")?;
     writeln!(out, "{:>6}{:>9}{:>8}", "MPa", "misfit", "inside")?;
     for tried in &fit.tried {
-        let chosen = if tried.mpa == fit.best.mpa {
-            "  taken"
-        } else {
-            ""
-        };
-        writeln!(
-            out,
-            "{:>6.2}{:>9.2}{:>8}{chosen}",
-            tried.mpa, tried.misfit, tried.inside
-        )?;
+        let chosen = if tried.mpa == fit.best.mpa { "  taken" } else { "" };
+        writeln!(out, "{:>6.2}{:>9.2}{:>8}{chosen}", tried.mpa, tried.misfit, tried.inside)?;
     }
     writeln!(out)?;
     lines(&fit.best.rows.iter().collect::<Vec<_>>(), out)

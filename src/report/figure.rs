@@ -9,15 +9,9 @@ use std::fmt;
 
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
-use crate::report::format::digits;
-use crate::report::format::percent;
-use crate::report::format::share;
-use crate::report::format::significant;
-use crate::run::flags::FlagKind;
+use crate::report::format::{digits, percent, share, significant};
 use crate::run::quantity::{Family, Quantity};
-use crate::run::result_trace::Group;
-use crate::run::trace::OtherTrace;
-use crate::run::trace::Trace;
+use crate::run::{flags::FlagKind, result_trace::Group, trace::OtherTrace, trace::Trace};
 
 /// Digits of a value: the least that are worth printing, and the most that anyone reads.
 const DIGITS: (i32, i32) = (2, 4);
@@ -148,11 +142,7 @@ impl Figure {
         let cut = answer.cut(of);
         Some(Self {
             // Of a risk that is less than so much, and may grow, nothing is known.
-            number: if cut.is_some() && number.starts_with('<') {
-                "0".to_owned()
-            } else {
-                number
-            },
+            number: if cut.is_some() && number.starts_with('<') { "0".to_owned() } else { number },
             unit: of.row().unit,
             off,
             cut,
@@ -175,10 +165,7 @@ impl Figure {
     pub fn coarser(&self, count: i32) -> Self {
         let number = self.number.parse();
         let number = number.map_or_else(|_| self.number.clone(), |value| rounded(value, count));
-        Self {
-            number,
-            ..self.clone()
-        }
+        Self { number, ..self.clone() }
     }
 
     /// The number as [`Self::cell`] shows it with its unit.
@@ -208,10 +195,7 @@ pub const SCALE: &str = "100 = worst in the paper";
 /// Why the damage index means nothing, and what to do; none where it is usable.
 pub fn unusable(answer: &Answer) -> Option<String> {
     let spoiled = answer.spoiled()?;
-    Some(format!(
-        "index not usable: {}; {}",
-        spoiled.why, spoiled.next
-    ))
+    Some(format!("index not usable: {}; {}", spoiled.why, spoiled.next))
 }
 
 /// A part of the index: how many times its limit the result behind it is.
@@ -219,10 +203,7 @@ pub fn times_its_limit(figure: &Figure, value: f64, term: Term) -> String {
     let times = value / term.threshold;
     let times = match figure.off {
         Off::Limitless => rounded(times, DIGITS.0),
-        off => within(
-            times,
-            Some(off.percent().unwrap_or_default().max(PART_PERCENT)),
-        ),
+        off => within(times, Some(off.percent().unwrap_or_default().max(PART_PERCENT))),
     };
     format!("{times} times its limit")
 }
@@ -264,18 +245,11 @@ pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let (value, error) = match (off, error) {
         (Off::Limitless, _) => (rounded(value, DIGITS.0), " ±?".to_owned()),
         (_, Some(error)) if 100.0 * error < NEGLIGIBLE * peak => {
-            let negligible = if error > 0.0 {
-                off.to_string()
-            } else {
-                String::new()
-            };
+            let negligible = if error > 0.0 { off.to_string() } else { String::new() };
             let text = format!("{} {negligible}", with_unit(&significant(value), row.unit));
             return text.trim_end().to_owned();
         }
-        (_, Some(error)) => (
-            to_the_place(value, error),
-            format!(" ±{}", rounded(error, 2)),
-        ),
+        (_, Some(error)) => (to_the_place(value, error), format!(" ±{}", rounded(error, 2))),
         _ => (significant(value), String::new()),
     };
     with_unit(&format!("{value}{error}"), row.unit)
@@ -294,11 +268,7 @@ fn to_the_place(value: f64, error: f64) -> String {
     let after = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
     let most = significant(value);
     let plain = format!("{value:.after$}");
-    let plain = if plain.len() < most.len() {
-        plain
-    } else {
-        most
-    };
+    let plain = if plain.len() < most.len() { plain } else { most };
     match plain.trim_start_matches('-').trim_start_matches(['0', '.']) {
         "" => "0".to_owned(),
         _ => plain,
@@ -366,12 +336,7 @@ mod tests {
     #[test]
     fn an_error_says_what_is_known_of_it() {
         let mut time_step = Results::from_fn(|_| None);
-        let mut errors = Errors {
-            time_step,
-            mesh: None,
-            limits: None,
-            energy_balance: 0.0,
-        };
+        let mut errors = Errors { time_step, mesh: None, limits: None, energy_balance: 0.0 };
         let front = Quantity::ForceFront;
         assert_eq!(Off::of(&errors, front).to_string(), "±?");
         assert_eq!(Off::of(&errors, Quantity::Hyphema).to_string(), "");
@@ -387,17 +352,9 @@ mod tests {
         let off = Off::of(&errors, front);
         let number = within(72.93, off.percent());
         let unit = "N";
-        let figure = |cut| Figure {
-            number: number.clone(),
-            unit,
-            off,
-            cut,
-        };
+        let figure = |cut| Figure { number: number.clone(), unit, off, cut };
         assert_eq!(figure(None).to_string(), "73 N ±119 %");
-        assert_eq!(
-            figure(Some(Cut::AtLeast)).to_string(),
-            "at least 73 N ±119 %"
-        );
+        assert_eq!(figure(Some(Cut::AtLeast)).to_string(), "at least 73 N ±119 %");
         assert_eq!(figure(Some(Cut::AtLeast)).cell(), "≥73");
         assert_eq!(figure(Some(Cut::NotFinal)).cell(), "~73");
         assert_eq!(causes(&errors), "step and mesh");

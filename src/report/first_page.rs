@@ -6,12 +6,9 @@ use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
-use crate::report::risks::uncounted;
-use crate::report::text::row;
-use crate::run::flags::Flag;
-use crate::run::quantity::Quantity;
-use crate::scenario::Scenario;
-use crate::scenario::problem::plain;
+use crate::report::{risks::uncounted, text::row};
+use crate::run::{flags::Flag, quantity::Quantity};
+use crate::scenario::{Scenario, problem::plain};
 use std::io::{self, Write};
 
 /// Lines of the page at most: the prompt that follows leaves 23 of 24 on the screen.
@@ -75,9 +72,7 @@ fn what(scenario: &Scenario) -> Vec<String> {
         format!("{} g, {} mm, {} m/s; ", parts[0], parts[1], parts[2])
     });
     let text = format!("{object}{}", scenario.description());
-    let name = wrapped(&printable(&scenario.name), WIDTH)
-        .into_iter()
-        .take(1);
+    let name = wrapped(&printable(&scenario.name), WIDTH).into_iter().take(1);
     name.chain(wrapped(&text, WIDTH)).collect()
 }
 
@@ -100,11 +95,7 @@ fn injuries(answer: &Answer) -> (Vec<String>, Vec<String>) {
             Equivalent::Over(_) => format!("> {speed:.0} m/s"),
         };
         let (word, range) = (risk.word(), risk.percent());
-        let middle = if risk.has_middle() {
-            whole(risk.risk)
-        } else {
-            "-".to_owned()
-        };
+        let middle = if risk.has_middle() { whole(risk.risk) } else { "-".to_owned() };
         let bb = if risk.usable { &bb } else { "-" };
         lines.push(line(risk.injury.name(), [&word, &middle, &range, bb]));
     }
@@ -135,9 +126,7 @@ fn notes(answer: &Answer, risks: &[Risk]) -> Vec<String> {
 /// The figures that lead, with their errors.
 fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
     let mut text = Vec::new();
-    let shown = LEADING
-        .iter()
-        .filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
+    let shown = LEADING.iter().filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
     let mut cut = false;
     for (of, figure) in shown.take(FIGURES) {
         cut |= figure.cut.is_some();
@@ -148,10 +137,8 @@ fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
         };
         row(&capital(of.row().label), &figure, &more, &mut text)?;
     }
-    let mut lines: Vec<String> = String::from_utf8_lossy(&text)
-        .lines()
-        .map(str::to_owned)
-        .collect();
+    let mut lines: Vec<String> =
+        String::from_utf8_lossy(&text).lines().map(str::to_owned).collect();
     let chosen = if chosen {
         let integrator = answer.plan.integrator.name();
         format!(", {integrator}, steps of {:.4} us", answer.step * 1e6)
@@ -176,11 +163,7 @@ fn flags(flags: &[Flag], room: usize) -> Vec<String> {
         let last = i + 1 == flags.len();
         if lines.len() + own.len() + usize::from(!last) > room {
             let (name, more) = (flags[i].kind.name(), flags.len() - i - 1);
-            let more = if more > 0 {
-                format!(" and {more} more")
-            } else {
-                String::new()
-            };
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
             lines.push(format!("FLAG {name}{more}: see --all"));
             break;
         }
@@ -209,10 +192,7 @@ mod tests {
         write(&scenario, &answer, true, &mut out).unwrap();
         let page = String::from_utf8(out).unwrap();
         assert!(page.lines().count() <= LINES, "{page}");
-        assert!(
-            page.lines().all(|line| line.chars().count() <= WIDTH),
-            "{page}"
-        );
+        assert!(page.lines().all(|line| line.chars().count() <= WIDTH), "{page}");
         assert!(page.contains("not diagnosis"), "{page}");
         assert!(page.ends_with(&format!("{MORE}\n")), "{page}");
         page

@@ -73,9 +73,7 @@ pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) ->
 /// `label` with a capital letter.
 pub fn capital(label: &str) -> String {
     let mut letters = label.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A share as whole percent, or finer where it is small.

@@ -9,10 +9,7 @@ use crate::answer::results::{Limit, Limits};
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::SIGNS;
 use crate::models::kernel_name;
-use crate::run::flags::Flag;
-use crate::run::fold::Fold;
-use crate::run::quantity::Quantity;
-use crate::run::rules::Element;
+use crate::run::{flags::Flag, fold::Fold, quantity::Quantity, rules::Element};
 use crate::scenario::Scenario;
 use serde_json::{Map, Value, json};
 
@@ -21,9 +18,7 @@ pub(super) const AZIMUTH: &str = "_azimuth_deg";
 
 /// A number for each result that there is, by its key.
 pub fn by_result(values: &Results) -> Value {
-    let named = values
-        .present()
-        .map(|(of, value)| (of.key().to_owned(), json!(value)));
+    let named = values.present().map(|(of, value)| (of.key().to_owned(), json!(value)));
     named.collect::<Map<String, Value>>().into()
 }
 
@@ -31,10 +26,7 @@ pub fn by_result(values: &Results) -> Value {
 fn by_limit(limits: &Limits) -> Value {
     let known = limits.iter().filter_map(|(of, limit)| {
         let Limit { value, error } = (*limit)?;
-        Some((
-            of.key().to_owned(),
-            json!({ "value": value, "error": error }),
-        ))
+        Some((of.key().to_owned(), json!({ "value": value, "error": error })))
     });
     known.collect::<Map<String, Value>>().into()
 }
@@ -98,9 +90,7 @@ pub(super) fn evaluations(element: Element) -> String {
 /// The keys of the results that the end of the run cut off in this way.
 pub(super) fn cut(answer: &Answer, how: Cut) -> Vec<&'static str> {
     let present = answer.results();
-    let present = present
-        .present()
-        .filter(|(of, _)| answer.cut(*of) == Some(how));
+    let present = present.present().filter(|(of, _)| answer.cut(*of) == Some(how));
     present.map(|(of, _)| of.key()).collect()
 }
 

@@ -1,7 +1,6 @@
 //! What finer meshes tend to, in one wording for every page and screen.
 
-use crate::answer::results::Limit;
-use crate::answer::solve::Answer;
+use crate::answer::{results::Limit, solve::Answer};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{digits, significant};
 use crate::run::quantity::Quantity;
@@ -28,9 +27,7 @@ fn with_error(limit: &Limit) -> String {
     if error_text.contains('e') || error <= 0.0 {
         return format!("{} ±{error_text}", significant(value));
     }
-    let after = error_text
-        .split_once('.')
-        .map_or(0, |(_, after)| after.len());
+    let after = error_text.split_once('.').map_or(0, |(_, after)| after.len());
     format!("{value:.after$} ±{error_text}")
 }
 

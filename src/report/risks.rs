@@ -20,13 +20,9 @@ pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
     let of_all: Vec<&str> = first.filter(of_all).copied().collect();
     let line = |risk: &Risk| (risk.injury.name(), risk.words_but(&of_all));
     let mut lines: Vec<(&'static str, String)> = risks.iter().map(line).collect();
-    let spoiled = answer
-        .spoiled()
-        .map(|spoiled| format!("{}: {}", spoiled.why, spoiled.next));
-    let of_all: Vec<String> = spoiled
-        .into_iter()
-        .chain(of_all.into_iter().map(String::from))
-        .collect();
+    let spoiled = answer.spoiled().map(|spoiled| format!("{}: {}", spoiled.why, spoiled.next));
+    let of_all: Vec<String> =
+        spoiled.into_iter().chain(of_all.into_iter().map(String::from)).collect();
     if !of_all.is_empty() {
         lines.push(("all of them", of_all.join("; ")));
     }
@@ -35,9 +31,7 @@ pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
 
 /// What a BB is, where any of these answers names one.
 pub fn legend<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> Option<&'static str> {
-    answers
-        .any(|answer| answer.silence().is_none())
-        .then_some(A_BB)
+    answers.any(|answer| answer.silence().is_none()).then_some(A_BB)
 }
 
 /// The gravest of [`lines`] in one sentence.
@@ -84,10 +78,7 @@ pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     if risks.is_empty() {
         return Ok(());
     }
-    writeln!(
-        out,
-        "\nWhat the risks rest on, beside the index and not part of it:"
-    )?;
+    writeln!(out, "\nWhat the risks rest on, beside the index and not part of it:")?;
     for risk in &risks {
         for line in basis(answer, risk) {
             block(&line, "  ", "      ", out)?;
@@ -119,11 +110,7 @@ fn published(injury: Injury, blow: &Blow) -> Vec<String> {
         return Vec::new();
     };
     let said = |curve: &EnergyCurve| {
-        let slope = if curve.slope_known {
-            ""
-        } else {
-            "; slope assumed"
-        };
+        let slope = if curve.slope_known { "" } else { "; slope assumed" };
         format!(
             "by energy alone {} ({:.1} of {:.1} kJ/m2): {}{slope}",
             whole(curve.risk(energy)),
@@ -182,10 +169,7 @@ mod tests {
         text(answer, &mut out).unwrap();
         evidence(answer, &mut out).unwrap();
         let page = String::from_utf8(out).unwrap();
-        assert!(
-            page.lines().all(|line| line.chars().count() <= 80),
-            "{page}"
-        );
+        assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
         page
     }
 
@@ -196,12 +180,8 @@ mod tests {
         for injury in Injury::ALL {
             assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
         }
-        for words in [
-            "without the mesh and the inputs",
-            "eye doctor",
-            "Duma 2005",
-            "slope assumed",
-        ] {
+        for words in ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"]
+        {
             assert!(page.contains(words), "{words} in\n{page}");
         }
         let cell = range(&bb, Quantity::GlobeRupture).unwrap();

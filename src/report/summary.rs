@@ -50,22 +50,13 @@ mod tests {
         let text = text(&bb, &answered(&bb), Some("contrecoup run bb-56"));
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 4, "{text}");
-        assert!(
-            lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "),
-            "{text}"
-        );
+        assert!(lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "), "{text}");
         assert!(lines[1].starts_with("damage index so far "), "{text}");
         // The window ends while the ball presses on: each other figure may still grow.
-        assert_eq!(
-            lines[1].matches("; ").count(),
-            lines[1].matches(" at least ").count()
-        );
+        assert_eq!(lines[1].matches("; ").count(), lines[1].matches(" at least ").count());
         assert!(lines[1].contains("; peak pressure at least "));
         assert!(lines[1].contains("±") && lines[1].contains("mesh not estimated"));
-        assert!(
-            lines[2].starts_with("flags: ") && lines[2].contains("window_short"),
-            "{text}"
-        );
+        assert!(lines[2].starts_with("flags: ") && lines[2].contains("window_short"), "{text}");
         assert_eq!(lines[3], "contrecoup run bb-56");
     }
 }

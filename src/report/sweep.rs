@@ -44,15 +44,11 @@ impl SweepFormat {
                 columns.extend(Injury::ALL.iter().flat_map(|injury| range_keys(*injury)));
                 columns.extend(LAST.map(str::to_owned));
                 let rows = sweep.rows();
-                format!(
-                    "# contrecoup sweep {mark} of {rows} rows\n{}",
-                    csv(&columns)
-                )
+                format!("# contrecoup sweep {mark} of {rows} rows\n{}", csv(&columns))
             }
-            Self::Json => format!(
-                "{}\n",
-                json!({ "sweep": mark, "rows": sweep.rows(), "varied": paths })
-            ),
+            Self::Json => {
+                format!("{}\n", json!({ "sweep": mark, "rows": sweep.rows(), "varied": paths }))
+            }
         }
     }
 
@@ -105,10 +101,7 @@ impl SweepFormat {
                     "flags": flags,
                     "refused": refused,
                 });
-                self.summed(
-                    sweep,
-                    object.to_string().strip_suffix('}').unwrap_or_default(),
-                )
+                self.summed(sweep, object.to_string().strip_suffix('}').unwrap_or_default())
             }
         }
     }

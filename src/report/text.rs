@@ -10,13 +10,10 @@ use crate::report::{errors, limit};
 use crate::answer::results::Results;
 use crate::answer::solve::{Answer, Errors};
 use crate::plain_text::printable;
-use crate::run::flags::FlagKind;
 use crate::run::model::{Detail, Shown};
-use crate::run::quantity::Quantity;
-use crate::run::result_trace::Group;
-use crate::scenario::direction::o_clock;
-use crate::scenario::problem::plain;
+use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
 use crate::scenario::{Projectile, Scenario};
+use crate::scenario::{direction::o_clock, problem::plain};
 use std::io::{self, Write};
 
 /// Results under headings, by what their traces are shown with.
@@ -91,10 +88,7 @@ pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> Stri
     }
     let behind = |detail: &Detail| match &detail.shown {
         Shown::Behind(result, words) if *result == of => {
-            let place = detail
-                .key
-                .trim_end_matches(AZIMUTH)
-                .trim_end_matches("_angle_deg");
+            let place = detail.key.trim_end_matches(AZIMUTH).trim_end_matches("_angle_deg");
             let around = answer.run.detail(&format!("{place}{AZIMUTH}"));
             let hour = around.map(|around| scenario.eye_side().hour(around.to_radians()));
             let hour = hour.map_or_else(String::new, |hour| format!(" ({})", o_clock(hour)));
@@ -102,12 +96,7 @@ pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> Stri
         }
         _ => None,
     };
-    answer
-        .run
-        .details
-        .iter()
-        .find_map(behind)
-        .unwrap_or_default()
+    answer.run.details.iter().find_map(behind).unwrap_or_default()
 }
 
 /// Prints how fast the object goes on or back.
@@ -125,12 +114,7 @@ fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Res
         }
         None => "Rebound speed",
     };
-    row(
-        label,
-        &figure,
-        &format!("of {} m/s", projectile.speed_m_s),
-        out,
-    )?;
+    row(label, &figure, &format!("of {} m/s", projectile.speed_m_s), out)?;
     unverified(projectile, out)
 }
 
@@ -166,12 +150,7 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         };
         let times = times_its_limit(&figure, value, term);
         let limit = with_unit(&term.threshold.to_string(), figure.unit);
-        row(
-            &format!("  {}", of.row().label),
-            &figure,
-            &format!("{times} of {limit}"),
-            out,
-        )?;
+        row(&format!("  {}", of.row().label), &figure, &format!("{times} of {limit}"), out)?;
     }
     writeln!(out)
 }
@@ -216,11 +195,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         answer.plan.integrator.name(),
         answer.run.cost.steps,
         answer.step * 1e6,
-        if answer.case.rules().step_follows_motion {
-            " at rest"
-        } else {
-            ""
-        },
+        if answer.case.rules().step_follows_motion { " at rest" } else { "" },
         answer.step_limit * 1e6,
     )?;
     let at = answer.run.simulated;

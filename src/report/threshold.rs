@@ -35,9 +35,7 @@ pub fn brief(search: &ThresholdSearch, crossing: &Crossing) -> String {
     if let (Some(there), None) = (&crossing.risk, crossing.jump) {
         let unit = |text: String| with_unit(search, &text);
         let range = range(there.range, &unit);
-        let range = range.map_or(", range not known".to_owned(), |range| {
-            format!(" ({range})")
-        });
+        let range = range.map_or(", range not known".to_owned(), |range| format!(" ({range})"));
         return format!("{at}{range}{way}");
     }
     let off = match (crossing.jump, crossing.step, crossing.mesh) {
@@ -68,9 +66,8 @@ fn end(search: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String
     let result = |(at, result): &(f64, Result<f64, String>)| Some((*at, *result.as_ref().ok()?));
     let sign = if highest { -1.0 } else { 1.0 };
     let known = threshold.seen.iter().filter_map(result);
-    let (at, value) = known
-        .min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
-        .unwrap_or((f64::NAN, f64::NAN));
+    let (at, value) =
+        known.min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1))).unwrap_or((f64::NAN, f64::NAN));
     let at = with_unit(search, &significant(at));
     let value = if search.quantity.is_risk() {
         whole(0.01 * value)
@@ -106,11 +103,8 @@ pub fn text(
                 None => "range not known".to_owned(),
             };
             block(&holds, "  ", "    ", out)?;
-            let words = format!(
-                "there {}: {}; {A_BB}",
-                there.risk.injury.name(),
-                there.risk.words()
-            );
+            let words =
+                format!("there {}: {}; {A_BB}", there.risk.injury.name(), there.risk.words());
             block(&words, "  ", "    ", out)?;
         }
         for flag in &crossing.flags {
@@ -138,10 +132,7 @@ pub fn text(
     let refused: Vec<_> = threshold.seen.iter().filter(|(_, r)| r.is_err()).collect();
     if let Some((at, Err(why))) = refused.first() {
         let at = with_unit(significant(*at));
-        let text = format!(
-            "No result at {} of them, the first {at}: {why}",
-            refused.len()
-        );
+        let text = format!("No result at {} of them, the first {at}: {why}", refused.len());
         block(&printable(&text), "", "    ", out)?;
     }
     writeln!(out)?;

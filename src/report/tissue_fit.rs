@@ -40,13 +40,7 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
     )?;
     for fit in &fits.injuries {
         let row = fit.injury.measure().row();
-        writeln!(
-            out,
-            "\n{}, {} in {}",
-            fit.injury.name(),
-            row.label,
-            row.unit
-        )?;
+        writeln!(out, "\n{}, {} in {}", fit.injury.name(), row.label, row.unit)?;
         for kind in &fit.kinds {
             writeln!(
                 out,
@@ -89,19 +83,13 @@ fn one(fit: &TissueFit) -> Value {
 
 /// The fit as JSON.
 pub fn json(fits: &TissueFits) -> Value {
-    let curves: Map<String, Value> = fits
-        .injuries
-        .iter()
-        .map(|fit| (fit.injury.key().to_owned(), one(fit)))
-        .collect();
+    let curves: Map<String, Value> =
+        fits.injuries.iter().map(|fit| (fit.injury.key().to_owned(), one(fit))).collect();
     let powers = fits.with_inputs.iter().map(|input| {
         let of = |side: usize| -> Map<String, Value> {
             let each = Injury::ALL.iter();
             each.map(|injury| {
-                (
-                    injury.key().to_owned(),
-                    json!(input.powers[side][*injury as usize]),
-                )
+                (injury.key().to_owned(), json!(input.powers[side][*injury as usize]))
             })
             .collect()
         };

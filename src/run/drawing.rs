@@ -142,9 +142,7 @@ pub fn shares([a, b, c]: [Point2<f64>; 3], at: Point2<f64>) -> Option<[f64; 3]> 
 impl Drawing {
     /// Where a node is in a frame, with its displacement shown `zoom` times.
     pub fn place(&self, frame: &Frame, node: usize, zoom: f64) -> Point2<f64> {
-        let DrawnNode {
-            of, rest, mirrored, ..
-        } = self.nodes[node];
+        let DrawnNode { of, rest, mirrored, .. } = self.nodes[node];
         let moved = rest + (frame.positions[of] - rest) * zoom;
         self.in_the_section(moved, mirrored)
     }
@@ -178,10 +176,7 @@ impl Drawing {
         // Just outside of all cells it is the one that has to reach least beyond itself.
         let worth = |nodes: [usize; 3]| {
             let shares = shares(nodes.map(|node| rest[node]), at)?;
-            Some((
-                shares.into_iter().fold(1.0, f64::min),
-                Held { nodes, shares },
-            ))
+            Some((shares.into_iter().fold(1.0, f64::min), Held { nodes, shares }))
         };
         let all = triangles.filter_map(worth);
         let best = all.max_by(|a, b| a.0.total_cmp(&b.0))?;

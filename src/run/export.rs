@@ -1,7 +1,6 @@
 //! Frames as CSV, units in the header.
 
-use crate::run::kept::Frame;
-use crate::run::places::Region;
+use crate::run::{kept::Frame, places::Region};
 use std::io::Write;
 
 /// Writes frames, one row a node.
@@ -17,9 +16,7 @@ impl<W: Write> FrameWriter<W> {
     /// Whatever `out` reports.
     pub fn new(out: W) -> csv::Result<Self> {
         let mut csv = csv::Writer::from_writer(out);
-        csv.write_record([
-            "frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n",
-        ])?;
+        csv.write_record(["frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n"])?;
         Ok(Self { csv, written: 0 })
     }
 

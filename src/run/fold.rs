@@ -56,11 +56,7 @@ pub(crate) struct FoldWatch {
 impl FoldWatch {
     /// A watch over a mesh of so many quads.
     pub fn new(quads: usize) -> Self {
-        Self {
-            seen: vec![false; quads],
-            fold: None,
-            before: 0.0,
-        }
+        Self { seen: vec![false; quads], fold: None, before: 0.0 }
     }
 
     /// Takes in the end of a step, at `time` s, at which the least ratio of a quad's size to that
@@ -162,10 +158,7 @@ mod tests {
         let folded = [1.0, -0.1, 1.0, 1.0];
         assert_eq!(seen(&[REST, REST]), None);
         let instant = seen(&[REST, folded, REST, REST]).unwrap();
-        assert_eq!(
-            (instant.since, instant.lasted, instant.stays),
-            (1.0, 1.0, false)
-        );
+        assert_eq!((instant.since, instant.lasted, instant.stays), (1.0, 1.0, false));
         let twice = seen(&[REST, folded, REST, folded, folded, REST]).unwrap();
         assert_eq!((twice.since, twice.lasted, twice.stays), (1.0, 3.0, false));
         let stays = seen(&[REST, REST, folded, folded]).unwrap();
@@ -179,9 +172,6 @@ mod tests {
         assert_eq!(fold.at, middle(3));
         assert!((fold.front_angle().to_degrees() + 90.0).abs() < 1e-9);
         let fold = seen(&[[0.0, 1.0, 1.0, 1.0]]).unwrap();
-        assert_eq!(
-            (fold.quads, fold.both_sides, fold.front_angle()),
-            (1, false, 0.0)
-        );
+        assert_eq!((fold.quads, fold.both_sides, fold.front_angle()), (1, false, 0.0));
     }
 }

@@ -15,10 +15,7 @@ pub struct Peak {
 impl Peak {
     /// A peak that anything at or above `floor` replaces.
     pub fn floor(floor: f64) -> Self {
-        Self {
-            value: floor,
-            time: 0.0,
-        }
+        Self { value: floor, time: 0.0 }
     }
 
     /// Takes `value` if it is larger.
@@ -46,21 +43,12 @@ pub struct Spacing {
 impl Spacing {
     /// All intervals alike, in s.
     pub fn even(every: f64) -> Self {
-        Self {
-            early: 0,
-            early_every: every,
-            every,
-            doubles: false,
-        }
+        Self { early: 0, early_every: every, every, doubles: false }
     }
 
     /// So many intervals of this length, in s, at first, half as many twice as long, and so on.
     pub fn doubling(early: u32, every: f64) -> Self {
-        Self {
-            early,
-            doubles: true,
-            ..Self::even(every)
-        }
+        Self { early, doubles: true, ..Self::even(every) }
     }
 
     /// When the frame with this number is due, in s.
@@ -131,11 +119,7 @@ pub(crate) fn nearest(frames: &[Frame], time: f64) -> usize {
         let frame: Option<&Frame> = frames.get(place);
         frame.map_or(f64::INFINITY, |frame| (frame.time - time).abs())
     };
-    if apart(after) < apart(before) {
-        after
-    } else {
-        before
-    }
+    if apart(after) < apart(before) { after } else { before }
 }
 
 /// Values at step ends, each of the same length, or empty where a scene has no such thing.

@@ -3,19 +3,11 @@
 //! Everything else, from one answer to the screens, asks this trait and the [`Rules`] of the model
 //! only.
 
-use crate::run::drawing::Drawing;
-use crate::run::flags::Flag;
-use crate::run::fold::Fold;
 use crate::run::kept::{Frame, Keep, Spacing, Traces};
-use crate::run::places::Region;
 use crate::run::plan::{Cost, Plan};
-use crate::run::planning::plan_by;
-use crate::run::quantity::Quantity;
-use crate::run::readings::Readings;
-use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
-use crate::run::sectors::Sectors;
-use crate::run::watch::Watch;
+use crate::run::{drawing::Drawing, flags::Flag, fold::Fold, places::Region, planning::plan_by};
+use crate::run::{quantity::Quantity, readings::Readings, refusal::Refusal, rules::Rules};
+use crate::run::{sectors::Sectors, watch::Watch};
 use crate::scenario::{Integrator, Scenario};
 use std::fmt::Debug;
 use std::ops::ControlFlow;
@@ -69,10 +61,7 @@ pub trait EyeModel: Debug + Send + Sync {
     /// difference to the error.
     fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
         let estimate = &self.rules().estimate;
-        let finer = Plan {
-            multiple: plan.multiple * estimate.ratio,
-            ..*plan
-        };
+        let finer = Plan { multiple: plan.multiple * estimate.ratio, ..*plan };
         let share = 1.0 - estimate.ratio.powi(-self.order(plan.integrator));
         (finer, estimate.safety / share)
     }

@@ -4,8 +4,7 @@
 //! that nobody has. A result waits until all before it are there, so whoever receives them sees the
 //! same sequence for any number of threads, and a run that is stopped gives its beginning.
 
-use crate::run::threads;
-use crate::run::watch::stop_if;
+use crate::run::{threads, watch::stop_if};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -31,11 +30,7 @@ pub fn run<T: Send>(
     deliver: impl FnMut(usize, T) -> ControlFlow<()> + Send,
 ) {
     let next = AtomicUsize::new(from);
-    let desk = Mutex::new(Desk {
-        next: from,
-        waiting: BTreeMap::new(),
-        deliver,
-    });
+    let desk = Mutex::new(Desk { next: from, waiting: BTreeMap::new(), deliver });
     let work = || {
         while !stop.load(Ordering::Relaxed) {
             let index = next.fetch_add(1, Ordering::Relaxed);

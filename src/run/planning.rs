@@ -1,11 +1,8 @@
 //! Which integrator and step a run takes: those that a scenario asks for, or the automatic ones.
 
-use crate::run::model::EyeModel;
 use crate::run::plan::{LOCAL_TOLERANCE, Plan};
-use crate::run::refusal::Refusal;
-use crate::run::rules::Automatic;
-use crate::scenario::Scenario;
-use crate::scenario::problem::plain;
+use crate::run::{model::EyeModel, refusal::Refusal, rules::Automatic};
+use crate::scenario::{Scenario, problem::plain};
 
 /// More than this takes longer than half an hour.
 const MAX_SPRING_EVALUATIONS: f64 = 1e12;
@@ -40,18 +37,11 @@ pub(crate) fn plan_by<E: EyeModel + ?Sized>(
     if work > MAX_SPRING_EVALUATIONS {
         let (steps, share) = (window / step, work / MAX_SPRING_EVALUATIONS);
         return Err(match scenario.numerics.step_us {
-            Some(step_us) => Refusal::StepTooShort {
-                step_us,
-                steps,
-                least_us: step_us * share,
-            },
+            Some(step_us) => Refusal::StepTooShort { step_us, steps, least_us: step_us * share },
             None => Refusal::WindowTooLong {
                 asked: match scenario.window_ms {
                     Some(window_ms) => plain(window_ms),
-                    None => format!(
-                        "Auto, here {} at most,",
-                        plain((window * 1e9).round() / 1e6)
-                    ),
+                    None => format!("Auto, here {} at most,", plain((window * 1e9).round() / 1e6)),
                 },
                 steps,
                 integrator: integrator.name(),
@@ -60,11 +50,5 @@ pub(crate) fn plan_by<E: EyeModel + ?Sized>(
             },
         });
     }
-    Ok(Plan {
-        integrator,
-        step,
-        window,
-        multiple: 1.0,
-        local_tolerance: LOCAL_TOLERANCE,
-    })
+    Ok(Plan { integrator, step, window, multiple: 1.0, local_tolerance: LOCAL_TOLERANCE })
 }

@@ -9,9 +9,8 @@
 //! not have reads as `None`: the pressure where there are no cells, the force of contact where
 //! there is no projectile.
 
-use crate::run::kept::Traces;
-use crate::run::places::Monitor;
 use crate::run::result_trace::{Group, ResultTrace};
+use crate::run::{kept::Traces, places::Monitor};
 use strum::{EnumCount, VariantArray};
 
 /// One scalar result, in the order of every table.
@@ -151,12 +150,8 @@ impl Quantity {
     /// All quantities, in the order above.
     pub const ALL: &[Self] = Self::VARIANTS;
     /// The peak forces at the monitored nodes, in the paper's order.
-    pub const FORCES: [Self; 4] = [
-        Self::ForceCentre,
-        Self::ForceFront,
-        Self::ForceRight,
-        Self::ForceTop,
-    ];
+    pub const FORCES: [Self; 4] =
+        [Self::ForceCentre, Self::ForceFront, Self::ForceRight, Self::ForceTop];
     /// What an eye that is hit is asked for first.
     pub const FELT: [Self; 3] = [Self::Contact, Self::Pressure, Self::EquatorStretch];
 
@@ -212,20 +207,15 @@ impl Quantity {
             Self::Contact => number("peak_contact_force_n", "contact force", "contact", "N")
                 .rounding(FORCE_ROUNDING)
                 .leading(Leads::Always)
-                .traced("contact", "contact_force_n", (Projectile, 0), |t| {
-                    &t.contact_force
-                }),
-            Self::BackPressure => number(
-                "peak_back_pressure_mpa",
-                "pressure at back",
-                "at back",
-                "MPa",
-            )
-            .times(1e-6)
-            .leading(Leads::Always)
-            .traced("pressure at back", "back_pressure_mpa", (Inside, 2), |t| {
-                &t.back_pressure
-            }),
+                .traced("contact", "contact_force_n", (Projectile, 0), |t| &t.contact_force),
+            Self::BackPressure => {
+                number("peak_back_pressure_mpa", "pressure at back", "at back", "MPa")
+                    .times(1e-6)
+                    .leading(Leads::Always)
+                    .traced("pressure at back", "back_pressure_mpa", (Inside, 2), |t| {
+                        &t.back_pressure
+                    })
+            }
             Self::ScleralStress => {
                 number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
                     .times(1e-6)
@@ -237,14 +227,10 @@ impl Quantity {
             Self::Shortening => number("shortening_percent", "eye shortened by", "squashed", "%")
                 .times(1e2)
                 .leading(Leads::Always)
-                .traced("shortening", "shortening_percent", (Motion, 4), |t| {
-                    &t.shortening
-                }),
+                .traced("shortening", "shortening_percent", (Motion, 4), |t| &t.shortening),
             Self::Intrusion => number("intrusion_mm", "object goes in", "goes in", "mm")
                 .times(1e3)
-                .traced("intrusion", "intrusion_mm", (Projectile, 5), |t| {
-                    &t.intrusion
-                }),
+                .traced("intrusion", "intrusion_mm", (Projectile, 5), |t| &t.intrusion),
             Self::LensWay => number("lens_displacement_mm", "lens displacement", "lens", "mm")
                 .times(1e3)
                 .traced("lens", "lens_mm", (Motion, 5), |t| &t.lens),
@@ -262,9 +248,7 @@ impl Quantity {
             Self::EdgeGrowth => number("edge_growth_percent", "retina edge growth", "edge", "%")
                 .times(1e2)
                 .leading(Leads::Watched)
-                .traced("retina's edge", "edge_growth_percent", (Tissues, 2), |t| {
-                    &t.tissue[2]
-                }),
+                .traced("retina's edge", "edge_growth_percent", (Tissues, 2), |t| &t.tissue[2]),
             Self::LensPull => number("lens_pull_mm", "pull on lens", "pull", "mm")
                 .times(1e3)
                 .leading(Leads::Watched)
@@ -273,14 +257,11 @@ impl Quantity {
                 .times(1e3)
                 .leading(Leads::Watched)
                 .followed((Tissues, 4), |t| &t.tissue[4]),
-            Self::CornealEnergy => number(
-                "corneal_energy_kj_m2",
-                "energy at cornea",
-                "cornea",
-                "kJ/m2",
-            )
-            .times(1e-3)
-            .leading(Leads::Watched),
+            Self::CornealEnergy => {
+                number("corneal_energy_kj_m2", "energy at cornea", "cornea", "kJ/m2")
+                    .times(1e-3)
+                    .leading(Leads::Watched)
+            }
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
             Self::RetinaBack => risk("retina_back_percent", "retina at the back", "ret.back"),
             Self::RetinaFront => risk("retina_front_percent", "retina front edge", "ret.edge"),
@@ -358,10 +339,7 @@ impl Row {
 
     /// On a map its colours go up to `whole`.
     const fn up_to(self, whole: f64) -> Self {
-        Self {
-            whole: Some(whole),
-            ..self
-        }
+        Self { whole: Some(whole), ..self }
     }
 
     /// Over time it has the same name and key, and is looked at there.
@@ -378,16 +356,8 @@ impl Row {
         place: (Group, u8),
         values: fn(&Traces) -> &[f64],
     ) -> Self {
-        let trace = ResultTrace {
-            label,
-            column,
-            values,
-            place,
-        };
-        Self {
-            trace: Some(trace),
-            ..self
-        }
+        let trace = ResultTrace { label, column, values, place };
+        Self { trace: Some(trace), ..self }
     }
 }
 

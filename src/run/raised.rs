@@ -1,11 +1,7 @@
 //! The flags of one run as they are raised, and the words of those that every model can raise.
 
 use crate::run::flags::{Flag, FlagKind};
-use crate::run::fold::Fold;
-use crate::run::model::Run;
-use crate::run::places::Region;
-use crate::run::quantity::Quantity;
-use crate::run::rules::Element;
+use crate::run::{fold::Fold, model::Run, places::Region, quantity::Quantity, rules::Element};
 
 /// An energy residual above this share of what came in is an alarm.
 pub(crate) const ENERGY_ALARM: f64 = 0.005;
@@ -46,22 +42,14 @@ impl Raised {
     }
 
     fn push(&mut self, kind: FlagKind, message: String, time: Option<f64>) {
-        self.0.push(Flag {
-            kind,
-            message,
-            detail: None,
-            time,
-        });
+        self.0.push(Flag { kind, message, detail: None, time });
     }
 
     fn folded(&mut self, fold: &Fold, element: Element) {
         let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
         let (count, all, what) = (fold.quads, fold.of, element.folded_plural());
-        let length = if fold.stays {
-            "to the end".to_owned()
-        } else {
-            format!("for {lasted:.3} ms")
-        };
+        let length =
+            if fold.stays { "to the end".to_owned() } else { format!("for {lasted:.3} ms") };
         self.0.push(Flag {
             kind: FlagKind::MeshFolded,
             message: format!(
@@ -127,10 +115,7 @@ pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) 
     {
         raised.raise(
             FlagKind::Unconverged,
-            format!(
-                "the step error of {} is {error:.0} %, the largest",
-                of.label()
-            ),
+            format!("the step error of {} is {error:.0} %, the largest", of.label()),
         );
     }
     raised.0
@@ -171,8 +156,7 @@ fn place(fold: &Fold) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::plan::Cost;
-    use crate::run::readings::Readings;
+    use crate::run::{plan::Cost, readings::Readings};
     use nalgebra::Point2;
 
     fn fold(x: f64, y: f64, stays: bool) -> Fold {
@@ -211,11 +195,7 @@ mod tests {
         assert!(stays.whole().starts_with(&stays.message));
         let instant = &said(fold(-10e-3, 1e-3, false))[0];
         assert!(instant.message.contains("at 0.100 ms, for 0.020 ms: 3 of"));
-        assert!(
-            instant
-                .whole()
-                .ends_with("open again at the end; try a smaller blow")
-        );
+        assert!(instant.whole().ends_with("open again at the end; try a smaller blow"));
     }
 
     #[test]
@@ -224,11 +204,7 @@ mod tests {
         assert!(near(0.0, -11e-3).starts_with("by the equator, inside the globe: 90 degrees down"));
         assert!(near(11e-3, 0.0).starts_with("by the back"));
         assert_eq!(near(-1e-3, 0.0), "inside the globe, 1.0 mm from its middle");
-        let lens = Fold {
-            part: Region::Lens,
-            both_sides: true,
-            ..fold(-8e-3, 6e-3, true)
-        };
+        let lens = Fold { part: Region::Lens, both_sides: true, ..fold(-8e-3, 6e-3, true) };
         assert!(
             place(&lens).starts_with("between front and equator, in the lens: 37 degrees on both")
         );
@@ -251,19 +227,13 @@ mod tests {
                 frames: Vec::new(),
                 cost: Cost::default(),
             };
-            let two_runs = TwoRuns {
-                worst: Some((Quantity::Damage, error)),
-                disagreement,
-            };
+            let two_runs = TwoRuns { worst: Some((Quantity::Damage, error)), disagreement };
             let flags = of_motion(&run, Element::Spring, Some(two_runs));
             flags.into_iter().map(|flag| flag.kind).collect()
         };
         let folded = Some(fold(-0.01, 0.0, false));
         assert_eq!(kinds(folded, 50.0, 50.0), [MeshFolded, NotPredictable]);
-        assert_eq!(
-            kinds(folded, f64::NAN, f64::NAN),
-            [MeshFolded, NotPredictable]
-        );
+        assert_eq!(kinds(folded, f64::NAN, f64::NAN), [MeshFolded, NotPredictable]);
         assert_eq!(kinds(folded, 50.0, 1.0), [MeshFolded, Unconverged]);
         assert_eq!(kinds(None, 50.0, 50.0), [Unconverged]);
         assert_eq!(kinds(None, f64::NAN, 0.0), [Unconverged]);

@@ -1,7 +1,6 @@
 //! What a run reads off the eye, under the public names.
 
-use crate::run::kept::Peak;
-use crate::run::quantity::Quantity;
+use crate::run::{kept::Peak, quantity::Quantity};
 use std::ops::{Index, IndexMut};
 use strum::EnumCount;
 
@@ -51,10 +50,7 @@ pub struct Reading {
 
 impl From<Peak> for Reading {
     fn from(peak: Peak) -> Self {
-        Self {
-            value: peak.value,
-            time: Some(peak.time),
-        }
+        Self { value: peak.value, time: Some(peak.time) }
     }
 }
 

@@ -9,9 +9,8 @@
 //!
 //! The numbers stand with their reasons in the `rules` of each model.
 
-use crate::run::flags::FlagKind;
 use crate::run::quantity::{Family, Quantity};
-use crate::run::refusal::Refusal;
+use crate::run::{flags::FlagKind, refusal::Refusal};
 use crate::scenario::Integrator;
 
 /// The largest share of its stability limit that any run takes on its own account: the limit is of
@@ -106,11 +105,8 @@ pub struct Refinement {
 
 impl Refinement {
     /// A person waits, and what is left is flagged.
-    pub(crate) const WHILE_A_PERSON_WAITS: Self = Self {
-        error_percent: 1.0,
-        balance_percent: 0.5,
-        attempts: 2,
-    };
+    pub(crate) const WHILE_A_PERSON_WAITS: Self =
+        Self { error_percent: 1.0, balance_percent: 0.5, attempts: 2 };
 }
 
 /// How meshes of a model tell the mesh error; see `answer::mesh_error`.
@@ -145,12 +141,7 @@ pub struct MeshScatter {
 impl MeshScatter {
     /// A scatter of this share that falls with the first order.
     pub const fn within(share: f64, apart: f64) -> Self {
-        Self {
-            order: 1,
-            share,
-            least: 0.0,
-            apart,
-        }
+        Self { order: 1, share, least: 0.0, apart }
     }
 }
 

@@ -23,9 +23,7 @@ pub fn beside<A: Send, B>(other: impl FnOnce() -> A + Send, own: impl FnOnce() -
         let helper = thread::Builder::new().spawn_scoped(scope, take);
         let own = own();
         let other = match helper {
-            Ok(helper) => helper
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            Ok(helper) => helper.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
             Err(_) => take(),
         };
         (other.expect("is taken once"), own)
@@ -58,11 +56,7 @@ pub fn pool_is_there() -> bool {
 
 /// Threads that work on many runs.
 pub fn count() -> usize {
-    if pool_is_there() {
-        rayon::current_num_threads()
-    } else {
-        1
-    }
+    if pool_is_there() { rayon::current_num_threads() } else { 1 }
 }
 
 #[cfg(test)]

@@ -4,9 +4,7 @@
 //! iterate [`TRACES`]. A result joins them by its [`ResultTrace`] in the table of results; what is
 //! no result, such as the load, is a row here.
 
-use crate::run::kept::Traces;
-use crate::run::quantity::Quantity;
-use crate::run::result_trace::Group;
+use crate::run::{kept::Traces, quantity::Quantity, result_trace::Group};
 use std::io::Write;
 use std::sync::LazyLock;
 use strum::VariantArray;
@@ -116,13 +114,7 @@ fn of_result(quantity: Quantity) -> TraceRow {
     };
     TraceRow {
         label: trace.label,
-        ..named_as_column(
-            row.unit,
-            row.factor,
-            trace.column,
-            trace.values,
-            trace.place,
-        )
+        ..named_as_column(row.unit, row.factor, trace.column, trace.values, trace.place)
     }
 }
 
@@ -145,11 +137,7 @@ fn named_as_column(
         factor,
         values,
         place,
-        column: Some(Column {
-            name: column,
-            factor,
-            digits: |value| format!("{value:.9e}"),
-        }),
+        column: Some(Column { name: column, factor, digits: |value| format!("{value:.9e}") }),
     }
 }
 
@@ -168,11 +156,7 @@ impl OtherTrace {
             },
             Self::Drive => TraceRow {
                 values: |t| {
-                    if by_contact(t) {
-                        &t.contact_force
-                    } else {
-                        &t.load
-                    }
+                    if by_contact(t) { &t.contact_force } else { &t.load }
                 },
                 place: (Motion, 0),
                 column: None,
@@ -188,13 +172,7 @@ impl OtherTrace {
             },
             Self::ProjectileX => TraceRow {
                 label: "projectile x",
-                ..named_as_column(
-                    "mm",
-                    1e3,
-                    "projectile_x_mm",
-                    |t| &t.projectile,
-                    (Projectile, 1),
-                )
+                ..named_as_column("mm", 1e3, "projectile_x_mm", |t| &t.projectile, (Projectile, 1))
             },
             Self::ProjectileVx => {
                 let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity;
@@ -211,11 +189,8 @@ impl OtherTrace {
 pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
     let mut csv = csv::Writer::from_writer(out);
     let column = |trace: &Trace| Some((trace.row().column?, trace.values(traces)));
-    let columns: Vec<(Column, &[f64])> = TRACES
-        .iter()
-        .filter_map(column)
-        .filter(|(_, values)| !values.is_empty())
-        .collect();
+    let columns: Vec<(Column, &[f64])> =
+        TRACES.iter().filter_map(column).filter(|(_, values)| !values.is_empty()).collect();
     let names = columns.iter().map(|(column, _)| column.name);
     csv.write_record(std::iter::once("time_ms").chain(names))?;
     for (i, time) in traces.time.iter().enumerate() {

@@ -12,9 +12,5 @@ pub fn unwatched(_: f64) -> ControlFlow<()> {
 
 /// What a watch says that stops a run on some condition.
 pub fn stop_if(condition: bool) -> ControlFlow<()> {
-    if condition {
-        ControlFlow::Break(())
-    } else {
-        ControlFlow::Continue(())
-    }
+    if condition { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

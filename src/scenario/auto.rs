@@ -38,9 +38,8 @@ pub(super) fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Option
     match Written::deserialize(source) {
         Ok(Written::Number(number)) => Ok(number),
         Ok(Written::Word(Word::Auto)) => Ok(None),
-        Err(_) => Err(D::Error::invalid_value(
-            Unexpected::Other("something else"),
-            &"Auto or a number",
-        )),
+        Err(_) => {
+            Err(D::Error::invalid_value(Unexpected::Other("something else"), &"Auto or a number"))
+        }
     }
 }

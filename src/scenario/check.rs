@@ -87,10 +87,7 @@ impl CheckedScenario {
 /// of two values set one after the other, the first may need the second.
 pub(super) fn check_inside(scenario: &Scenario, path: &str) -> Result<(), ScenarioError> {
     let inside = |field: &&Field| {
-        field
-            .path
-            .strip_prefix(path)
-            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        field.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     };
     let ranges = FIELDS.iter().filter(inside);
     let ranges = ranges.filter_map(|field| check_field(field, scenario));
@@ -98,11 +95,7 @@ pub(super) fn check_inside(scenario: &Scenario, path: &str) -> Result<(), Scenar
 }
 
 fn outcome(problems: Vec<Problem>) -> Result<(), ScenarioError> {
-    if problems.is_empty() {
-        Ok(())
-    } else {
-        Err(ScenarioError { problems })
-    }
+    if problems.is_empty() { Ok(()) } else { Err(ScenarioError { problems }) }
 }
 
 fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
@@ -120,10 +113,7 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
             } else if !list.iter().all(|hop| (min..=max).contains(&hop)) {
                 Some("is out of range")
             } else {
-                list.iter()
-                    .enumerate()
-                    .any(repeated)
-                    .then_some("repeats a number")
+                list.iter().enumerate().any(repeated).then_some("repeats a number")
             }
         }
         Kind::Text(most, place) => {
@@ -141,12 +131,7 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
         Kind::Text(..) => format!("{:?}", field.text(scenario)?),
         _ => field.text(scenario)?,
     };
-    Some(Problem::refused(
-        field.path,
-        &value,
-        complaint,
-        field.allowed_in(scenario),
-    ))
+    Some(Problem::refused(field.path, &value, complaint, field.allowed_in(scenario)))
 }
 
 fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str> {
@@ -203,12 +188,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
                  blow straight on at the axisymmetric eye"
             );
             let complaint = "would hit the holder of the gelatin, which this eye has not";
-            refuse(
-                "impact.diameter_mm",
-                &plain(projectile.diameter_mm),
-                complaint,
-                &allowed,
-            );
+            refuse("impact.diameter_mm", &plain(projectile.diameter_mm), complaint, &allowed);
         }
         let lands = projectile.lands_at_deg();
         if in_holder && lands.is_some_and(|lands| lands > opening - EDGE_DEG) {
@@ -226,27 +206,15 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
             let complaint = "brings more energy than model Physiological takes";
             let most = projectile.mass_g * MOST_ENERGY_J / projectile.energy_j();
             let allowed = format!("up to {most:.1} g at this speed, which is {MOST_ENERGY_J} J");
-            refuse(
-                "impact.mass_g",
-                &plain(projectile.mass_g),
-                complaint,
-                &allowed,
-            );
+            refuse("impact.mass_g", &plain(projectile.mass_g), complaint, &allowed);
         }
         if let Outline::Cylinder { edge_mm } = projectile.outline
             && edge_mm > 0.5 * projectile.diameter_mm
         {
-            let allowed = format!(
-                "up to {} mm, half of its diameter",
-                plain(0.5 * projectile.diameter_mm)
-            );
+            let allowed =
+                format!("up to {} mm, half of its diameter", plain(0.5 * projectile.diameter_mm));
             let complaint = "is larger than the cylinder";
-            refuse(
-                "impact.outline.edge_mm",
-                &plain(edge_mm),
-                complaint,
-                &allowed,
-            );
+            refuse("impact.outline.edge_mm", &plain(edge_mm), complaint, &allowed);
         }
     }
     let (level, finest) = (scenario.eye.level, scenario.finest_level());
@@ -299,12 +267,7 @@ fn too_high(scenario: &Scenario) -> Option<Problem> {
     let stretched = pulse.force_n <= bounds.max && pulse.peak_n() > bounds.max;
     stretched.then(|| {
         let complaint = format!("makes the table's peak {} N", plain(pulse.peak_n()));
-        Problem::refused(
-            force.path,
-            &plain(pulse.force_n),
-            &complaint,
-            force.allowed(),
-        )
+        Problem::refused(force.path, &plain(pulse.force_n), &complaint, force.allowed())
     })
 }
 
@@ -332,20 +295,14 @@ mod tests {
 
     #[test]
     fn every_problem_is_reported_in_the_order_of_the_fields() {
-        let mut scenario = Scenario {
-            window_ms: Some(f64::NAN),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario { window_ms: Some(f64::NAN), ..Scenario::default() };
         scenario.eye.filament_hops = vec![2, 2];
         scenario.eye.opening_deg = 10.0;
         scenario.name = "\u{1b}[31m".to_owned();
         scenario.pulse_mut().unwrap().angle_deg = -10.5;
         let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
-        assert_eq!(
-            fields,
-            ["name", "window_ms", "eye.filament_hops", "impact.angle_deg"]
-        );
+        assert_eq!(fields, ["name", "window_ms", "eye.filament_hops", "impact.angle_deg"]);
         assert!(error.problems[3].message.contains("-10 to 10 deg"));
         assert!(!error.to_string().contains('\u{1b}'));
     }
@@ -356,10 +313,7 @@ mod tests {
             unverified: vec!["speed_m_s".to_owned(), "colour".to_owned()],
             ..Projectile::default()
         };
-        let scenario = Scenario {
-            impact: Impact::Projectile(projectile),
-            ..Scenario::default()
-        };
+        let scenario = Scenario { impact: Impact::Projectile(projectile), ..Scenario::default() };
         let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
         assert_eq!(fields, ["model", "impact.unverified"]);
@@ -383,21 +337,11 @@ mod tests {
             scenario.impact = Impact::Projectile(projectile);
             scenario.check().unwrap_err().problems.remove(0)
         };
-        let fast = problem(Projectile {
-            speed_m_s: 201.0,
-            ..Projectile::default()
-        });
+        let fast = problem(Projectile { speed_m_s: 201.0, ..Projectile::default() });
         assert_eq!(fast.field, "impact.speed_m_s");
-        let heavy = problem(Projectile {
-            mass_g: 700.0,
-            speed_m_s: 30.0,
-            ..Projectile::default()
-        });
+        let heavy = problem(Projectile { mass_g: 700.0, speed_m_s: 30.0, ..Projectile::default() });
         assert_eq!(heavy.field, "impact.mass_g");
-        assert_eq!(
-            heavy.allowed.unwrap(),
-            "up to 666.7 g at this speed, which is 300 J"
-        );
+        assert_eq!(heavy.allowed.unwrap(), "up to 666.7 g at this speed, which is 300 J");
         scenario.impact = Impact::Projectile(Projectile {
             offset_mm: 1.0,
             angle_deg: -91.0,
@@ -407,10 +351,7 @@ mod tests {
         scenario.eye.level = 6;
         let error = scenario.check().unwrap_err();
         let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
-        assert_eq!(
-            fields,
-            ["impact.angle_deg", "impact.outline.edge_mm", "eye.level"]
-        );
+        assert_eq!(fields, ["impact.angle_deg", "impact.outline.edge_mm", "eye.level"]);
         let level = error.problems[2].to_string();
         assert!(level.contains("numerics.geometry"), "{level}");
     }

@@ -66,9 +66,7 @@ impl Curve {
 
     /// The largest share, either way.
     pub fn peak(&self) -> f64 {
-        self.knots
-            .iter()
-            .fold(0.0, |peak, (_, share)| peak.max(share.abs()))
+        self.knots.iter().fold(0.0, |peak, (_, share)| peak.max(share.abs()))
     }
 }
 
@@ -146,9 +144,7 @@ impl Growing {
                 plain(END_MS.1)
             )));
         }
-        Ok(Curve {
-            knots: self.0.into(),
-        })
+        Ok(Curve { knots: self.0.into() })
     }
 }
 
@@ -204,10 +200,7 @@ mod tests {
         for (knots, said) in [
             (&[][..], "no knots"),
             (&[(0.0, 1.0)], "one knot"),
-            (
-                &[(0.0, 0.0), (0.2, 1.0), (0.2, 0.0)],
-                "0.2 does not come after 0.2",
-            ),
+            (&[(0.0, 0.0), (0.2, 1.0), (0.2, 0.0)], "0.2 does not come after 0.2"),
             (&[(0.2, 0.0), (0.1, 1.0)], "0.1 does not come after 0.2"),
             (&[(1.0, 0.0), (1.000_000_1, 1.0)], "too close to 1"),
             (&[(-0.1, 0.0), (0.1, 1.0)], "time -0.1 is out of range"),

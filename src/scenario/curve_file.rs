@@ -16,8 +16,7 @@ use serde::{Deserialize, Deserializer};
 
 use crate::plain_text::quoted;
 use crate::scenario::curve::{Curve, Growing};
-use crate::scenario::text_file;
-use crate::scenario::text_file::without_mark;
+use crate::scenario::{text_file, text_file::without_mark};
 
 /// The folder that the name of a curve's file is relative to.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,10 +108,7 @@ fn read(text: &str) -> Result<Curve, (Option<u64>, String)> {
     let mut growing = Growing::default();
     let mut row = StringRecord::new();
     let mut first = true;
-    while rows
-        .read_record(&mut row)
-        .map_err(|error| (None, error.to_string()))?
-    {
+    while rows.read_record(&mut row).map_err(|error| (None, error.to_string()))? {
         let line = row.position().map(csv::Position::line);
         let refused = |why: String| (line, why);
         if row.iter().all(str::is_empty) {
@@ -125,13 +121,8 @@ fn read(text: &str) -> Result<Curve, (Option<u64>, String)> {
             check_unit(time).map_err(refused)?;
             continue;
         }
-        let knot = (
-            number(time).map_err(refused)?,
-            number(share).map_err(refused)?,
-        );
-        growing
-            .push(knot.0, knot.1)
-            .map_err(|error| refused(error.to_string()))?;
+        let knot = (number(time).map_err(refused)?, number(share).map_err(refused)?);
+        growing.push(knot.0, knot.1).map_err(|error| refused(error.to_string()))?;
     }
     growing.finish().map_err(|error| (None, error.to_string()))
 }
@@ -140,9 +131,7 @@ fn read(text: &str) -> Result<Curve, (Option<u64>, String)> {
 fn delimiter(text: &str) -> u8 {
     let telling = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
     let line = text.lines().find(telling).unwrap_or_default();
-    let found = [b'\t', b';']
-        .into_iter()
-        .find(|mark| line.as_bytes().contains(mark));
+    let found = [b'\t', b';'].into_iter().find(|mark| line.as_bytes().contains(mark));
     found.unwrap_or(b',')
 }
 
@@ -160,10 +149,9 @@ fn two(row: &StringRecord) -> Result<[&str; 2], String> {
 fn number(cell: &str) -> Result<f64, String> {
     cell.parse().map_err(|_| match (cell, cell.contains(',')) {
         ("", _) => "a number is missing: time in ms and share".to_owned(),
-        (_, true) => format!(
-            "{} is not a number (decimals follow a point, not a comma)",
-            quoted(cell)
-        ),
+        (_, true) => {
+            format!("{} is not a number (decimals follow a point, not a comma)", quoted(cell))
+        }
         (_, false) => format!("{} is not a number", quoted(cell)),
     })
 }
@@ -174,10 +162,7 @@ fn check_unit(heading: &str) -> Result<(), String> {
     let lower = heading.to_lowercase();
     let mut words = lower.split(|c: char| !c.is_alphabetic());
     match words.find(|word| others.contains(word)) {
-        Some(_) => Err(format!(
-            "{} is another unit: times must be in ms",
-            quoted(heading)
-        )),
+        Some(_) => Err(format!("{} is another unit: times must be in ms", quoted(heading))),
         None => Ok(()),
     }
 }
@@ -218,25 +203,16 @@ mod tests {
             ("t,f\n0,0\n0.1,one\n", "3: one is not a number"),
             ("t,f\nms,N\n0,0\n", "2: ms is not a number"),
             ("0,x\n0.1,1\n", "1: x is not a number"),
-            (
-                "0;0\n0,1;1\n",
-                "2: 0,1 is not a number (decimals follow a point",
-            ),
+            ("0;0\n0,1;1\n", "2: 0,1 is not a number (decimals follow a point"),
             ("0,0\n0,1,0,5\n", "2: 0 1 0 5 has 4 columns, not 2"),
             ("0 0\n0.1 1\n", "1: 0 0 has 1 column, not 2"),
             ("0,0\n0.1\n", "2: 0.1 has 1 column, not 2"),
             ("0,0\n0.1,\n", "2: a number is missing"),
-            (
-                "0,0\n\n# x\r\n0.1,1\n0.1,0\n",
-                "5: time 0.1 does not come after 0.1",
-            ),
+            ("0,0\n\n# x\r\n0.1,1\n0.1,0\n", "5: time 0.1 does not come after 0.1"),
             ("0,0\n0.1,nan\n", "2: share NaN is not a finite number"),
             ("0,0\ninf,1\n", "2: time inf is not a finite number"),
             ("0,0\n0.1,\"1\n0.2,0\n", "2: 1\\n0.2,0 is not a number"),
-            (
-                "time_s,force\n0,0\n",
-                "1: time_s is another unit: times must be in ms",
-            ),
+            ("time_s,force\n0,0\n", "1: time_s is another unit: times must be in ms"),
             ("t [µs],force\n0,0\n", "1: t [µs] is another unit"),
         ] {
             let complaint = complaint(text);
@@ -273,11 +249,7 @@ mod tests {
             let why = load(name, &inner).unwrap_err();
             assert!(why.contains("leaves the folder of the scenario"), "{why}");
         }
-        assert!(
-            load("a.csv", &PathBase::Nowhere)
-                .unwrap_err()
-                .contains("a.csv cannot be found")
-        );
+        assert!(load("a.csv", &PathBase::Nowhere).unwrap_err().contains("a.csv cannot be found"));
         let why = load("none.csv", &inner).unwrap_err();
         assert!(why.contains("none.csv: there is no such file"), "{why}");
         let why = load("in", &outer).unwrap_err();
@@ -298,10 +270,7 @@ mod tests {
         let inner = PathBase::Scenario(folder.path().join("in"));
         assert_eq!(load("b.csv", &inner), Ok(curve()));
         let why = load("out.csv", &inner).unwrap_err();
-        assert!(
-            why.contains("leaves the folder") && !why.contains("secret"),
-            "{why}"
-        );
+        assert!(why.contains("leaves the folder") && !why.contains("secret"), "{why}");
     }
 
     #[cfg(unix)]

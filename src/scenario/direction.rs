@@ -79,11 +79,7 @@ pub fn o_clock(hour: f64) -> String {
     let minutes = (60.0 * hour).round();
     let (whole, rest) = ((minutes / 60.0).floor(), minutes % 60.0);
     let whole = if whole < 1.0 { HOURS } else { whole };
-    if rest == 0.0 {
-        format!("{whole} o'clock")
-    } else {
-        format!("{whole}:{rest:02}")
-    }
+    if rest == 0.0 { format!("{whole} o'clock") } else { format!("{whole}:{rest:02}") }
 }
 
 impl Impact {
@@ -106,8 +102,7 @@ impl Impact {
 impl Scenario {
     /// Which eye it is.
     pub fn eye_side(&self) -> Side {
-        self.physiological()
-            .map_or(Side::Right, |model| model.eye_side)
+        self.physiological().map_or(Side::Right, |model| model.eye_side)
     }
 }
 
@@ -131,11 +126,7 @@ impl Projectile {
         // that is named, what lies along the path is taken off.
         let along = -sin * libm::cos(between);
         let across = (1.0 - along * along).max(0.0).sqrt();
-        let back = if across > 0.0 {
-            -along * cos / across * self.offset_mm
-        } else {
-            0.0
-        };
+        let back = if across > 0.0 { -along * cos / across * self.offset_mm } else { 0.0 };
         let x = back - cos * inside.sqrt();
         Some(libm::acos((-x / GLOBE_MM).clamp(-1.0, 1.0)).to_degrees())
     }
@@ -172,10 +163,7 @@ mod tests {
                 assert_eq!(side.hour(side.azimuth(hour)), hour.max(0.5));
             }
         }
-        assert_eq!(
-            (o_clock(12.0), o_clock(7.5)),
-            ("12 o'clock".into(), "7:30".into())
-        );
+        assert_eq!((o_clock(12.0), o_clock(7.5)), ("12 o'clock".into(), "7:30".into()));
         assert_eq!(o_clock(0.5), "12:30");
     }
 
@@ -194,12 +182,7 @@ mod tests {
     #[test]
     fn a_path_lands_where_its_angle_and_its_offset_lead() {
         let at = |angle_deg, offset_mm, offset_clock| {
-            let object = Projectile {
-                angle_deg,
-                offset_mm,
-                offset_clock,
-                ..Projectile::default()
-            };
+            let object = Projectile { angle_deg, offset_mm, offset_clock, ..Projectile::default() };
             object.lands_at_deg()
         };
         let near = |a: Option<f64>, b: f64| assert!((a.unwrap() - b).abs() < 1e-9, "{a:?} {b}");
@@ -228,10 +211,7 @@ mod tests {
         set(&mut scenario, "impact.from", "nasal").unwrap();
         assert_eq!(of(&scenario), (12.0, 9.0));
         let left = set(&mut scenario, "impact.from", "left").unwrap_err();
-        assert!(
-            left.to_string().contains("the nose or the temple"),
-            "{left}"
-        );
+        assert!(left.to_string().contains("the nose or the temple"), "{left}");
         set(&mut scenario, "impact.from", "StraightOn").unwrap();
         assert_eq!(of(&scenario).0, 0.0);
     }

@@ -111,9 +111,8 @@ pub(super) fn put(
 pub(super) fn tidy(scenario: &mut Scenario, path: &str) {
     let mut doubt = std::mem::take(&mut scenario.doubt);
     doubt.retain(|of, _| {
-        let under = of
-            .strip_prefix(path)
-            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        let under =
+            of.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
         let there = fields::find(of).is_some_and(|field| number(field, scenario).is_some());
         there || !under
     });
@@ -224,14 +223,7 @@ mod tests {
             error.to_string()
         };
         let allowed = "allowed ± 0 to 100000 N";
-        for text in [
-            "300 +- -1",
-            "300 +- nan",
-            "300 ± inf",
-            "300 ± 1e6",
-            "300 ± x",
-            "300 ±",
-        ] {
+        for text in ["300 +- -1", "300 +- nan", "300 ± inf", "300 ± 1e6", "300 ± x", "300 ±"] {
             assert!(said(text).contains(allowed), "{}", said(text));
         }
         assert!(said("x ± 3").contains("is not a number"));

@@ -11,14 +11,12 @@ mod words;
 use std::mem::discriminant;
 
 use self::words::{Directions, Rims};
-use crate::scenario::auto::AUTO;
-use crate::scenario::direction::HOURS;
-use crate::scenario::problem::plain;
 use crate::scenario::{
     FASTEST_M_S, ForcePulse, Geometry, Impact, Integrator, Lens, Model, Outline, Physiological,
     Projectile, ProjectileStiffness, PulseShape, Scenario, Side, Species, Support, Surface,
     integrator,
 };
+use crate::scenario::{auto::AUTO, direction::HOURS, problem::plain};
 
 /// Characters that a name may have.
 pub const LONGEST_NAME: usize = 80;
@@ -101,9 +99,7 @@ type Variants<T> = &'static [(&'static str, fn() -> T)];
 
 const MODELS: Variants<Model> = &[
     ("Paper", || Model::Paper),
-    ("Physiological", || {
-        Model::Physiological(Physiological::default())
-    }),
+    ("Physiological", || Model::Physiological(Physiological::default())),
 ];
 const SPECIES: Variants<Species> = &[("Human", || Species::Human), ("Pig", || Species::Pig)];
 const SIDES: Variants<Side> = &[("Right", || Side::Right), ("Left", || Side::Left)];
@@ -113,15 +109,10 @@ const GEOMETRIES: Variants<Geometry> = &[
     ("Half", || Geometry::Half),
     ("Full", || Geometry::Full),
 ];
-const SUPPORTS: Variants<Support> = &[
-    ("Orbit", || Support::Orbit),
-    ("Gelatin", || Support::Gelatin),
-    ("Free", || Support::Free),
-];
-const OUTLINES: Variants<Outline> = &[
-    ("Sphere", || Outline::Sphere),
-    ("Cylinder", || Outline::CYLINDER),
-];
+const SUPPORTS: Variants<Support> =
+    &[("Orbit", || Support::Orbit), ("Gelatin", || Support::Gelatin), ("Free", || Support::Free)];
+const OUTLINES: Variants<Outline> =
+    &[("Sphere", || Outline::Sphere), ("Cylinder", || Outline::CYLINDER)];
 const SURFACES: Variants<Surface> = &[
     ("Hard", || Surface::Hard),
     ("Elastic", || Surface::ELASTIC),
@@ -132,10 +123,8 @@ const IMPACTS: Variants<Impact> = &[
     ("ForcePulse", || Impact::ForcePulse(ForcePulse::default())),
     ("Projectile", || Impact::Projectile(Projectile::default())),
 ];
-const STIFFNESSES: Variants<ProjectileStiffness> = &[
-    ("Rigid", || ProjectileStiffness::Rigid),
-    ("Linear", || ProjectileStiffness::LINEAR),
-];
+const STIFFNESSES: Variants<ProjectileStiffness> =
+    &[("Rigid", || ProjectileStiffness::Rigid), ("Linear", || ProjectileStiffness::LINEAR)];
 const SHAPES: Variants<PulseShape> = &[
     ("SmoothRectangle", PulseShape::default),
     ("Triangle", || PulseShape::Triangle),
@@ -258,10 +247,7 @@ macro_rules! of_variant {
 /// A length of the orbit's rim.
 macro_rules! rim {
     ($length:ident, $direction:ident) => {
-        Number(
-            b(0.0, 40.0, 0.5, 2.0),
-            within!(orbit, orbit_mut, rim, $length, $direction),
-        )
+        Number(b(0.0, 40.0, 0.5, 2.0), within!(orbit, orbit_mut, rim, $length, $direction))
     };
 }
 
@@ -305,10 +291,8 @@ const PULSE_EDGE: Place<f64> = of_variant!(
 );
 
 /// Only one model chooses how much of the eye it computes.
-const CHOOSING: Place<Geometry> = Place {
-    get: Scenario::choosing,
-    get_mut: Scenario::choosing_mut,
-};
+const CHOOSING: Place<Geometry> =
+    Place { get: Scenario::choosing, get_mut: Scenario::choosing_mut };
 
 const fn field(
     path: &'static str,
@@ -317,22 +301,11 @@ const fn field(
     help: &'static str,
     kind: Kind,
 ) -> Field {
-    Field {
-        path,
-        label,
-        unit,
-        help,
-        kind,
-    }
+    Field { path, label, unit, help, kind }
 }
 
 const fn within_bounds(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
-    Bounds {
-        min,
-        max,
-        fine,
-        coarse,
-    }
+    Bounds { min, max, fine, coarse }
 }
 
 use Kind::{Choice, Integer, Integers, Number, OptionalNumber, Text};
@@ -441,11 +414,7 @@ impl Field {
             return Some(*bounds);
         }
         let steepest = scenario.steepest_deg();
-        Some(Bounds {
-            min: -steepest,
-            max: steepest,
-            ..*bounds
-        })
+        Some(Bounds { min: -steepest, max: steepest, ..*bounds })
     }
 
     /// What the field accepts in a scenario, in words: each eye has levels of its own.
@@ -453,10 +422,7 @@ impl Field {
         match &self.kind {
             Number(bounds, _) => self.between(&self.bounds_in(scenario).unwrap_or(*bounds)),
             Integer(min, max, _) => {
-                format!(
-                    "whole numbers {min} to {}",
-                    scenario.finest_level().min(*max)
-                )
+                format!("whole numbers {min} to {}", scenario.finest_level().min(*max))
             }
             _ => self.allowed(),
         }

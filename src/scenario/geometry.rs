@@ -79,13 +79,7 @@ impl Scenario {
     /// has one.
     pub fn trusted_angle_deg(&self) -> Option<f64> {
         let turned = self.numerics.geometry == Geometry::Axisymmetric || self.pulse().is_some();
-        self.geometry().map(|_| {
-            if turned {
-                TRUSTED_ANGLE_DEG
-            } else {
-                STEEPEST_OBJECT_DEG
-            }
-        })
+        self.geometry().map(|_| if turned { TRUSTED_ANGLE_DEG } else { STEEPEST_OBJECT_DEG })
     }
 
     /// The eye in words, where the blow comes from, and how much of it is computed.
@@ -120,10 +114,9 @@ impl Scenario {
             return spatial.then_some(("takes objects only", "Auto, Axisymmetric"));
         };
         match self.numerics.geometry {
-            Geometry::Half if model.support == Support::Orbit => Some((
-                "has a mirror plane, which an orbit has not",
-                "Auto, Axisymmetric, Full",
-            )),
+            Geometry::Half if model.support == Support::Orbit => {
+                Some(("has a mirror plane, which an orbit has not", "Auto, Axisymmetric, Full"))
+            }
             Geometry::Half if !projectile.has_mirror_plane() => Some((
                 "has a mirror plane, which angle_clock and offset_clock here have not",
                 "Auto, Full",
@@ -166,10 +159,7 @@ mod tests {
     fn what_has_no_mirror_plane_is_not_halved() {
         let half = ("numerics.geometry", "Half");
         let told = preset("bb-62", &[half]).check().unwrap_err().to_string();
-        assert!(
-            told.contains("numerics.geometry") && told.contains("Full"),
-            "{told}"
-        );
+        assert!(told.contains("numerics.geometry") && told.contains("Full"), "{told}");
         let free = preset("bb-62", &[half, ("model.support", "Free")]);
         assert!(free.check().is_ok());
     }

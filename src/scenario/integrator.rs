@@ -51,11 +51,7 @@ pub(super) fn choices() -> impl Iterator<Item = Option<Integrator>> {
 static SPELLINGS: LazyLock<Vec<&'static str>> = LazyLock::new(|| choices().map(spelling).collect());
 
 /// Writes a choice as if `Auto` were one more variant.
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    clippy::ref_option,
-    reason = "serde lends the field"
-)]
+#[expect(clippy::trivially_copy_pass_by_ref, clippy::ref_option, reason = "serde lends the field")]
 pub(super) fn serialize<S: Serializer>(
     choice: &Option<Integrator>,
     serializer: S,

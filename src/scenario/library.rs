@@ -86,10 +86,7 @@ pub struct Preset {
 
 impl Preset {
     fn built_in((name, text): &(&str, &'static str)) -> Self {
-        Self {
-            name: (*name).to_owned(),
-            origin: Origin::BuiltIn(text),
-        }
+        Self { name: (*name).to_owned(), origin: Origin::BuiltIn(text) }
     }
 
     fn user(name: String, path: PathBuf) -> Self {
@@ -172,17 +169,10 @@ pub fn find(name: &str) -> Result<Preset, ScenarioError> {
     }
     let built_in = BUILT_IN.iter().find(|(known, _)| *known == name);
     built_in.map(Preset::built_in).ok_or_else(|| {
-        let names: Vec<String> = list()
-            .unwrap_or_default()
-            .into_iter()
-            .map(|p| p.name)
-            .collect();
+        let names: Vec<String> = list().unwrap_or_default().into_iter().map(|p| p.name).collect();
         let near = suggestion(name, names.iter().map(String::as_str));
-        unknown(
-            name,
-            &format!("there is no such preset{near}; `contrecoup presets` lists them"),
-        )
-        .into()
+        unknown(name, &format!("there is no such preset{near}; `contrecoup presets` lists them"))
+            .into()
     })
 }
 
@@ -254,9 +244,7 @@ fn user_files() -> Result<Vec<PathBuf>, ScenarioError> {
     let mut files = Vec::new();
     for entry in entries {
         let path = entry.map_err(failed)?.path();
-        let stem = path
-            .file_stem()
-            .is_some_and(|stem| is_plain(&stem.to_string_lossy()));
+        let stem = path.file_stem().is_some_and(|stem| is_plain(&stem.to_string_lossy()));
         if stem && path.extension().is_some_and(|extension| extension == "ron") {
             files.push(path);
         }
@@ -286,10 +274,7 @@ pub(crate) mod tests {
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
             .collect();
         files.sort();
-        let held: Vec<String> = BUILT_IN
-            .iter()
-            .map(|(name, _)| format!("{name}.ron"))
-            .collect();
+        let held: Vec<String> = BUILT_IN.iter().map(|(name, _)| format!("{name}.ron")).collect();
         assert_eq!(held, files);
     }
 
@@ -306,23 +291,15 @@ pub(crate) mod tests {
 
     #[test]
     fn the_paper_preset_is_the_default_scenario_with_the_window_that_it_takes() {
-        let preset = BUILT_IN
-            .iter()
-            .find(|(name, _)| *name == "paper-300n")
-            .unwrap();
+        let preset = BUILT_IN.iter().find(|(name, _)| *name == "paper-300n").unwrap();
         let usual = Scenario::default();
         let window_ms = usual.known_window_ms();
-        assert_eq!(
-            Preset::built_in(preset).scenario().unwrap(),
-            Scenario { window_ms, ..usual }
-        );
+        assert_eq!(Preset::built_in(preset).scenario().unwrap(), Scenario { window_ms, ..usual });
     }
 
     #[test]
     fn names_stay_inside_the_folder() {
-        for name in [
-            "", "..", ".", "../x", "a/b", "a\\b", "c:x", ".hidden", "a\0",
-        ] {
+        for name in ["", "..", ".", "../x", "a/b", "a\\b", "c:x", ".hidden", "a\0"] {
             assert!(find(name).is_err(), "{name:?}");
         }
     }

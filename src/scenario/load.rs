@@ -7,11 +7,9 @@ use std::path::Path;
 
 use crate::plain_text::MAX_LINES;
 use crate::scenario::curve_file::{PathBase, with_files};
-use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::ron_text::read;
-use crate::scenario::text_file::without_mark;
 use crate::scenario::{Scenario, text_file};
+use crate::scenario::{locate::locate, ron_text::read, text_file::without_mark};
 
 pub use crate::scenario::ron_text::to_ron;
 
@@ -31,11 +29,7 @@ pub fn parse(text: &str, origin: &str) -> Result<Scenario, ScenarioError> {
 /// As [`parse`], and where such a curve cannot be read.
 pub fn parse_file(text: &str, path: &Path) -> Result<Scenario, ScenarioError> {
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    parse_with_base(
-        text,
-        &path.display().to_string(),
-        &PathBase::Scenario(folder),
-    )
+    parse_with_base(text, &path.display().to_string(), &PathBase::Scenario(folder))
 }
 
 fn parse_with_base(text: &str, origin: &str, base: &PathBase) -> Result<Scenario, ScenarioError> {
@@ -114,45 +108,27 @@ mod tests {
 
     #[test]
     fn content_is_escaped_in_messages() {
-        for text in [
-            "(\u{1b}[2J: 1)",
-            "(name: \u{1b}]0;x\u{7})",
-            "(na\u{9b}me: 1)",
-            "\u{0}",
-        ] {
-            assert!(
-                !complaint(text).contains(|c: char| c.is_control()),
-                "{text:?}"
-            );
+        for text in ["(\u{1b}[2J: 1)", "(name: \u{1b}]0;x\u{7})", "(na\u{9b}me: 1)", "\u{0}"] {
+            assert!(!complaint(text).contains(|c: char| c.is_control()), "{text:?}");
         }
     }
 
     #[test]
     fn the_physiological_model_may_stand_without_brackets() {
-        for model in [
-            "Physiological",
-            "Physiological()",
-            "Physiological (species: Human)",
-        ] {
+        for model in ["Physiological", "Physiological()", "Physiological (species: Human)"] {
             for end in [",", "\n,"] {
                 let text = format!(
                     "(name: \"x\",\n  model: {model}{end} impact: Projectile(mass_g: 1, diameter_mm: 6, \
                      speed_m_s: 5))"
                 );
                 let scenario = parse(&text, "here").unwrap();
-                assert_eq!(
-                    scenario.model,
-                    Model::Physiological(Physiological::default())
-                );
+                assert_eq!(scenario.model, Model::Physiological(Physiological::default()));
                 assert_eq!(parse(&to_ron(&scenario), "here").unwrap(), scenario);
             }
         }
         let unnamed = "(name: \"x\", impact: Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 5))";
         let scenario = parse(unnamed, "here").unwrap();
-        assert_eq!(
-            scenario.model,
-            Model::Physiological(Physiological::default())
-        );
+        assert_eq!(scenario.model, Model::Physiological(Physiological::default()));
         let error = complaint("(name: \"x\", impact: Projectile(mass_g: 1, speed_m_s: 5))");
         assert!(error.contains("diameter_mm"), "{error}");
     }

@@ -42,10 +42,7 @@ fn offset_of<'a>(text: &str, path: impl IntoIterator<Item = &'a str>) -> usize {
 fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = &text[..offset];
     let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-    (
-        before.matches('\n').count() + 1,
-        before[line_start..].chars().count() + 1,
-    )
+    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }
 
 /// What the text is made of, as far as nesting is concerned.
@@ -68,10 +65,7 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(text: &'a str) -> Self {
-        Self {
-            text,
-            chars: text.char_indices().peekable(),
-        }
+        Self { text, chars: text.char_indices().peekable() }
     }
 
     fn offset(&mut self) -> usize {
@@ -91,9 +85,7 @@ impl<'a> Walk<'a> {
     /// Passes `#![enable(...)]` lines.
     fn skip_attributes(&mut self) {
         while self.here() < self.text.len() && self.text[self.offset()..].starts_with('#') {
-            let end = self.text[self.offset()..]
-                .find(']')
-                .map_or(self.text.len(), |at| at + 1);
+            let end = self.text[self.offset()..].find(']').map_or(self.text.len(), |at| at + 1);
             let target = self.offset() + end;
             self.jump(target);
         }
@@ -192,11 +184,7 @@ impl<'a> Walk<'a> {
         }
         if self.chars.next_if(|(_, c)| *c == '"').is_none() {
             let start = self.offset();
-            while self
-                .chars
-                .next_if(|(_, c)| c.is_alphanumeric() || *c == '_')
-                .is_some()
-            {}
+            while self.chars.next_if(|(_, c)| c.is_alphanumeric() || *c == '_').is_some() {}
             return Token::Name(start, self.offset());
         }
         while let Some((_, c)) = self.chars.next() {
@@ -251,38 +239,22 @@ mod tests {
     fn assert_found(path: &str, marked: &str) {
         let offset = marked.find('@').unwrap();
         let text = marked.replacen('@', "", 1);
-        assert_eq!(
-            locate(&text, path),
-            line_and_column(&text, offset),
-            "{path} in {text}"
-        );
+        assert_eq!(locate(&text, path), line_and_column(&text, offset), "{path} in {text}");
     }
 
     #[test]
     fn values_are_found_through_variants_and_nested_structs() {
         let path = "impact.force_n";
-        assert_found(
-            path,
-            "(name: \"a\", impact: ForcePulse(duration_ms: 1, force_n: @-5))",
-        );
+        assert_found(path, "(name: \"a\", impact: ForcePulse(duration_ms: 1, force_n: @-5))");
         assert_found(
             path,
             "Scenario(\n  eye: (force_n: 1),\n  impact:\n ForcePulse(force_n:@ 5)"
                 .replace(":@ ", ": @")
                 .as_str(),
         );
-        assert_found(
-            "impact.shape.edge_fraction",
-            "(impact: F(shape: S (edge_fraction: @9, ), ))",
-        );
-        assert_found(
-            "eye.filament_hops",
-            "(eye: (lens: true, filament_hops: @[1, 2], level: 1))",
-        );
-        assert_found(
-            "r",
-            "#![enable(implicit_some)]\n#![enable(unwrap_newtypes)] (r#r: @1)",
-        );
+        assert_found("impact.shape.edge_fraction", "(impact: F(shape: S (edge_fraction: @9, ), ))");
+        assert_found("eye.filament_hops", "(eye: (lens: true, filament_hops: @[1, 2], level: 1))");
+        assert_found("r", "#![enable(implicit_some)]\n#![enable(unwrap_newtypes)] (r#r: @1)");
     }
 
     #[test]
@@ -291,10 +263,7 @@ mod tests {
         assert_found("a", "(b: r#\"a: 1\" a: 2\"#, a: @3)");
         assert_found("a", "(b: r\"\\\", a: @3)");
         assert_found("a", "(b: '\"', c: '\\'', d: b'(', e: b\"(\", a: @3)");
-        assert_found(
-            "a",
-            "/* ( /* a: 1 */ ( */ (// a: 2, (\n a /* : 4 */ : /**/ @3)",
-        );
+        assert_found("a", "/* ( /* a: 1 */ ( */ (// a: 2, (\n a /* : 4 */ : /**/ @3)");
         assert_found("a", "(b: [a, (a: 1)], c: {\"a\": 2}, a: @3)");
         assert_found("a", "(ä: \"é€\", a: @3)");
     }

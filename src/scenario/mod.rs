@@ -103,9 +103,7 @@ impl From<WrittenScenario> for Scenario {
         written.impact.by_the_clock();
         Self {
             name: written.name,
-            model: written
-                .model
-                .unwrap_or_else(|| Model::usual_for(&written.impact)),
+            model: written.model.unwrap_or_else(|| Model::usual_for(&written.impact)),
             impact: written.impact,
             window_ms: written.window_ms,
             eye: written.eye,
@@ -123,11 +121,7 @@ fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 impl Scenario {
     /// Such a blow to an eye of the model that takes it.
     pub fn of(impact: Impact) -> Self {
-        Self {
-            model: Model::usual_for(&impact),
-            impact,
-            ..Self::default()
-        }
+        Self { model: Model::usual_for(&impact), impact, ..Self::default() }
     }
 
     /// Simulated time in ms, where it is known before a run: what is asked, else of a pulse at the
@@ -362,9 +356,7 @@ impl PulseShape {
 
 impl Default for PulseShape {
     fn default() -> Self {
-        Self::SmoothRectangle {
-            edge_fraction: Self::default_edge(),
-        }
+        Self::SmoothRectangle { edge_fraction: Self::default_edge() }
     }
 }
 
@@ -456,9 +448,6 @@ impl NumericsInput {
     /// The same eye, solved as the program chooses.
     #[must_use]
     pub fn automatic(&self) -> Self {
-        Self {
-            geometry: self.geometry,
-            ..Self::default()
-        }
+        Self { geometry: self.geometry, ..Self::default() }
     }
 }

@@ -1,8 +1,7 @@
 //! The numbers that a scenario's name holds, which follow its fields.
 
-use crate::scenario::Scenario;
 use crate::scenario::fields::{Field, Kind};
-use crate::scenario::problem::plain;
+use crate::scenario::{Scenario, problem::plain};
 
 /// The number of a field with its unit, as names have it: `40 m/s`.
 fn written(scenario: &Scenario, field: &Field) -> Option<String> {
@@ -33,8 +32,7 @@ pub(super) fn follow(scenario: &mut Scenario, before: &Scenario, field: &Field) 
 
 #[cfg(test)]
 mod tests {
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::{library::find, set::set};
 
     #[test]
     fn a_name_says_the_speed_that_was_set_and_keeps_what_is_no_field_of_it() {

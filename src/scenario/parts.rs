@@ -10,20 +10,12 @@ macro_rules! variant {
     ($part:ident, $variant:path, $held:ty, $get:ident, $get_mut:ident, $what:literal) => {
         #[doc = $what]
         pub fn $get(&self) -> Option<&$held> {
-            if let $variant(held) = &self.$part {
-                Some(held)
-            } else {
-                None
-            }
+            if let $variant(held) = &self.$part { Some(held) } else { None }
         }
 
         #[doc = $what]
         pub fn $get_mut(&mut self) -> Option<&mut $held> {
-            if let $variant(held) = &mut self.$part {
-                Some(held)
-            } else {
-                None
-            }
+            if let $variant(held) = &mut self.$part { Some(held) } else { None }
         }
     };
 }
@@ -55,23 +47,19 @@ impl Scenario {
     );
 
     pub(super) fn orbit(&self) -> Option<&Physiological> {
-        self.physiological()
-            .filter(|parts| parts.support == Support::Orbit)
+        self.physiological().filter(|parts| parts.support == Support::Orbit)
     }
 
     pub(super) fn orbit_mut(&mut self) -> Option<&mut Physiological> {
-        self.physiological_mut()
-            .filter(|parts| parts.support == Support::Orbit)
+        self.physiological_mut().filter(|parts| parts.support == Support::Orbit)
     }
 
     pub(super) fn gelatin(&self) -> Option<&Physiological> {
-        self.physiological()
-            .filter(|parts| parts.support == Support::Gelatin)
+        self.physiological().filter(|parts| parts.support == Support::Gelatin)
     }
 
     pub(super) fn gelatin_mut(&mut self) -> Option<&mut Physiological> {
-        self.physiological_mut()
-            .filter(|parts| parts.support == Support::Gelatin)
+        self.physiological_mut().filter(|parts| parts.support == Support::Gelatin)
     }
 
     /// An object that gives way, by its spring or its surface: nothing else loses energy.

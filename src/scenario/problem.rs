@@ -33,11 +33,7 @@ pub struct Problem {
 impl Problem {
     /// A complaint about a field, without a place yet.
     pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
-        Self {
-            field: field.into(),
-            message: message.into(),
-            ..Self::default()
-        }
+        Self { field: field.into(), message: message.into(), ..Self::default() }
     }
 
     /// A complaint about one value of a field: "-5 is out of range: allowed 0 to 100000 N".
@@ -110,9 +106,7 @@ impl ScenarioError {
 
 impl From<Problem> for ScenarioError {
     fn from(problem: Problem) -> Self {
-        Self {
-            problems: vec![problem],
-        }
+        Self { problems: vec![problem] }
     }
 }
 
@@ -150,9 +144,8 @@ pub fn five_nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) 
 fn by_likeness<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<(f64, &'a str)> {
     // Long enough to be told apart, short enough that a pasted novel costs nothing.
     let typed: String = typed.chars().take(LONGEST_QUOTE).collect();
-    let mut scored: Vec<(f64, &str)> = candidates
-        .map(|candidate| (likeness(&typed, candidate), candidate))
-        .collect();
+    let mut scored: Vec<(f64, &str)> =
+        candidates.map(|candidate| (likeness(&typed, candidate), candidate)).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
     scored
 }

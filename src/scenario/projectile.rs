@@ -23,19 +23,13 @@ pub struct Projectile {
     #[serde(default)]
     pub angle_deg: f64,
     /// The hour that it comes from.
-    #[serde(
-        default = "Projectile::from_above",
-        skip_serializing_if = "Projectile::is_from_above"
-    )]
+    #[serde(default = "Projectile::from_above", skip_serializing_if = "Projectile::is_from_above")]
     pub angle_clock: f64,
     /// How far beside the middle of the cornea it aims, in mm.
     #[serde(default, skip_serializing_if = "is_default")]
     pub offset_mm: f64,
     /// The hour towards which that is.
-    #[serde(
-        default = "Projectile::from_above",
-        skip_serializing_if = "Projectile::is_from_above"
-    )]
+    #[serde(default = "Projectile::from_above", skip_serializing_if = "Projectile::is_from_above")]
     pub offset_clock: f64,
     /// How it gives way as a whole.
     #[serde(default)]
@@ -48,10 +42,7 @@ pub struct Projectile {
     pub surface: Surface,
     /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid
     /// wall.
-    #[serde(
-        default = "Projectile::lossless",
-        skip_serializing_if = "Projectile::is_lossless"
-    )]
+    #[serde(default = "Projectile::lossless", skip_serializing_if = "Projectile::is_lossless")]
     pub restitution: f64,
     /// Names of the fields above whose figures come from no source that was checked, as in
     /// `["speed_m_s"]`. Shown with the results; nothing is computed from it.
@@ -92,10 +83,7 @@ impl Projectile {
         crate::scenario::direction::HOURS
     }
 
-    #[expect(
-        clippy::trivially_copy_pass_by_ref,
-        reason = "serde asks for a reference"
-    )]
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
     fn is_from_above(hour: &f64) -> bool {
         *hour == Self::from_above()
     }
@@ -104,10 +92,7 @@ impl Projectile {
         1.0
     }
 
-    #[expect(
-        clippy::trivially_copy_pass_by_ref,
-        reason = "serde asks for a reference"
-    )]
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
     fn is_lossless(restitution: &f64) -> bool {
         *restitution == Self::lossless()
     }
@@ -201,8 +186,5 @@ impl Surface {
     /// What a switch to `Elastic` starts from: soft rubber.
     pub(super) const ELASTIC: Self = Self::Elastic { modulus_mpa: 5.0 };
     /// What a switch to `Inflated` starts from: soft rubber around the gas of a soccer ball.
-    pub(super) const INFLATED: Self = Self::Inflated {
-        kpa: 110.0,
-        modulus_mpa: 5.0,
-    };
+    pub(super) const INFLATED: Self = Self::Inflated { kpa: 110.0, modulus_mpa: 5.0 };
 }

@@ -31,10 +31,7 @@ pub struct Rim {
 
 /// As a file has it. The reader of RON tells a word from lengths only to an untagged enum.
 #[derive(Deserialize)]
-#[serde(
-    untagged,
-    expecting = "expected Caucasian, EastAsian, or (depth_mm: (...), gap_mm: (...))"
-)]
+#[serde(untagged, expecting = "expected Caucasian, EastAsian, or (depth_mm: (...), gap_mm: (...))")]
 enum Written {
     Named(Named),
     Lengths { depth_mm: Around, gap_mm: Around },
@@ -57,35 +54,22 @@ impl From<Written> for Rim {
 }
 
 const fn around(above: f64, nose: f64, below: f64, temple: f64) -> Around {
-    Around {
-        above,
-        nose,
-        below,
-        temple,
-    }
+    Around { above, nose, below, temple }
 }
 
 impl Rim {
     /// The measured ones by their names.
-    pub(super) const NAMED: [(&str, Self); 2] = [
-        ("Caucasian", Self::CAUCASIAN),
-        ("EastAsian", Self::EAST_ASIAN),
-    ];
+    pub(super) const NAMED: [(&str, Self); 2] =
+        [("Caucasian", Self::CAUCASIAN), ("EastAsian", Self::EAST_ASIAN)];
     /// Of 15 caucasian orbits.
-    pub const CAUCASIAN: Self = Self {
-        depth_mm: around(4.6, 5.9, 12.6, 20.6),
-        gap_mm: around(3.7, 7.6, 6.6, 4.6),
-    };
+    pub const CAUCASIAN: Self =
+        Self { depth_mm: around(4.6, 5.9, 12.6, 20.6), gap_mm: around(3.7, 7.6, 6.6, 4.6) };
     /// Of 12 east asian orbits.
-    pub const EAST_ASIAN: Self = Self {
-        depth_mm: around(5.0, 6.8, 11.1, 17.5),
-        gap_mm: around(2.1, 8.2, 6.5, 4.5),
-    };
+    pub const EAST_ASIAN: Self =
+        Self { depth_mm: around(5.0, 6.8, 11.1, 17.5), gap_mm: around(2.1, 8.2, 6.5, 4.5) };
     /// Standard deviations between persons, of the caucasian orbits.
-    pub const SPREAD: Self = Self {
-        depth_mm: around(4.2, 3.0, 3.7, 2.6),
-        gap_mm: around(2.1, 1.8, 2.2, 2.3),
-    };
+    pub const SPREAD: Self =
+        Self { depth_mm: around(4.2, 3.0, 3.7, 2.6), gap_mm: around(2.1, 1.8, 2.2, 2.3) };
 
     /// Whether it is one of the measured ones.
     pub fn is_measured(&self) -> bool {
@@ -116,10 +100,7 @@ mod tests {
         };
         let rim = |scenario: Scenario| scenario.physiological().unwrap().rim;
         let asian = file("EastAsian").unwrap();
-        assert_eq!(
-            rim(parse(&to_ron(&asian), "y.ron").unwrap()),
-            Rim::EAST_ASIAN
-        );
+        assert_eq!(rim(parse(&to_ron(&asian), "y.ron").unwrap()), Rim::EAST_ASIAN);
         assert_eq!(rim(asian), Rim::EAST_ASIAN);
         let lengths = "(depth_mm: (above: 1, nose: 2.5, below: 3, temple: 4), \
                        gap_mm: (above: 1, nose: 2, below: 3, temple: 4))";

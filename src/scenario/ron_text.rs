@@ -14,10 +14,9 @@ use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment, Track};
 
 use crate::plain_text::quoted;
-use crate::scenario::fields::Kind;
-use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::scenario::{Scenario, fields};
+use crate::scenario::{fields::Kind, locate::locate};
 
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
 fn options() -> Options {
@@ -46,11 +45,7 @@ pub(crate) type Expected = fn(&str) -> Option<(&'static str, String)>;
 
 /// Reads a value that stands at the dotted path `under` of a scenario (empty for a whole one).
 pub(crate) fn read<T: DeserializeOwned>(text: &str, under: &str) -> Result<T, ScenarioError> {
-    let completed = if under.is_empty() {
-        completed(text)
-    } else {
-        None
-    };
+    let completed = if under.is_empty() { completed(text) } else { None };
     read_with(completed.as_deref().unwrap_or(text), under, expected)
 }
 
@@ -64,10 +59,7 @@ pub(crate) fn read_with<T: DeserializeOwned>(
     let mut source = Deserializer::from_str_with_options(text, &options())
         .map_err(|error| explain(under, &error))?;
     let mut track = Track::new();
-    let value = T::deserialize(serde_path_to_error::Deserializer::new(
-        &mut source,
-        &mut track,
-    ));
+    let value = T::deserialize(serde_path_to_error::Deserializer::new(&mut source, &mut track));
     let (value, path) = match value {
         Ok(value) => (source.end().map(|()| value), under.to_owned()),
         Err(code) => (Err(code), dotted(under, &track.path())),
@@ -76,10 +68,7 @@ pub(crate) fn read_with<T: DeserializeOwned>(
 }
 
 /// The scenario as RON, one field a line; reading it back gives an equal scenario.
-#[expect(
-    clippy::missing_panics_doc,
-    reason = "plain fields into a string cannot fail"
-)]
+#[expect(clippy::missing_panics_doc, reason = "plain fields into a string cannot fail")]
 pub fn to_ron(scenario: &Scenario) -> String {
     let layout = PrettyConfig::new().new_line("\n").compact_arrays(true);
     let text = options().to_string_pretty(scenario, layout);
@@ -118,9 +107,7 @@ fn explain(
     let before = (error.span.start.line, error.span.start.col);
     let cursor = (error.span.end.line, error.span.end.col);
     match &error.code {
-        Error::NoSuchStructField {
-            expected, found, ..
-        } => {
+        Error::NoSuchStructField { expected, found, .. } => {
             let near = suggestion(found, expected.iter().copied());
             let allowed = expected.join(", ");
             Problem {
@@ -131,9 +118,7 @@ fn explain(
             }
             .at(before)
         }
-        Error::NoSuchEnumVariant {
-            expected, found, ..
-        } => {
+        Error::NoSuchEnumVariant { expected, found, .. } => {
             let names = expected.iter().copied();
             unknown_name(path, found, names, expected.join(", ")).at(before)
         }
@@ -171,10 +156,7 @@ fn explain(
 
 /// What to say of an error that is not about one value.
 fn punctuation(code: &Error, text: &str, place: (usize, usize)) -> String {
-    let found = match (
-        word_at(text, place),
-        rest_of_line(text, place).chars().next(),
-    ) {
+    let found = match (word_at(text, place), rest_of_line(text, place).chars().next()) {
         ("", None) => "the end of the line".to_owned(),
         ("", Some(mark)) => mark.to_string(),
         (word, _) => quoted(word),

@@ -38,12 +38,8 @@ static GROUPS: &[(&str, Replace)] = &[
     ("impact.stiffness", |s, typed| {
         typed.put(s.projectile_mut().map(|object| &mut object.stiffness))
     }),
-    ("impact.outline", |s, typed| {
-        typed.put(s.projectile_mut().map(|object| &mut object.outline))
-    }),
-    ("impact.surface", |s, typed| {
-        typed.put(s.projectile_mut().map(|object| &mut object.surface))
-    }),
+    ("impact.outline", |s, typed| typed.put(s.projectile_mut().map(|object| &mut object.outline))),
+    ("impact.surface", |s, typed| typed.put(s.projectile_mut().map(|object| &mut object.surface))),
     ("eye", |s, typed| typed.put(Some(&mut s.eye))),
     ("numerics", |s, typed| typed.put(Some(&mut s.numerics))),
     ("doubt", |s, typed| {
@@ -168,9 +164,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
 
 /// What a person has set is theirs, no longer an unverified figure of a preset.
 fn confirm(scenario: &mut Scenario, path: &str) {
-    let name = path
-        .strip_prefix("impact.")
-        .and_then(|p| p.split('.').next());
+    let name = path.strip_prefix("impact.").and_then(|p| p.split('.').next());
     if let (Some(name), Some(projectile)) = (name, scenario.projectile_mut()) {
         projectile.unverified.retain(|field| field != name);
     }
@@ -278,33 +272,20 @@ fn clock(text: &str) -> Option<f64> {
 
 fn optional(text: &str) -> Result<Option<f64>, ScenarioError> {
     match number(text) {
-        _ if ["none", "auto"]
-            .iter()
-            .any(|word| text.eq_ignore_ascii_case(word)) =>
-        {
-            Ok(None)
-        }
+        _ if ["none", "auto"].iter().any(|word| text.eq_ignore_ascii_case(word)) => Ok(None),
         Some(number) => Ok(Some(number)),
         None => read(text, ""),
     }
 }
 
 fn list(text: &str) -> Option<Vec<u32>> {
-    read(text, "")
-        .or_else(|_| read(&format!("[{text}]"), ""))
-        .ok()
+    read(text, "").or_else(|_| read(&format!("[{text}]"), "")).ok()
 }
 
 /// Text as it stands, or the content of a RON string where it begins like one.
 fn words(text: &str, path: &str) -> Result<Option<String>, ScenarioError> {
-    let is_quoted = ["\"", "r\"", "r#"]
-        .iter()
-        .any(|start| text.starts_with(start));
-    if is_quoted {
-        read(text, path).map(Some)
-    } else {
-        Ok(Some(text.to_owned()))
-    }
+    let is_quoted = ["\"", "r\"", "r#"].iter().any(|start| text.starts_with(start));
+    if is_quoted { read(text, path).map(Some) } else { Ok(Some(text.to_owned())) }
 }
 
 /// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`, or by
@@ -314,23 +295,16 @@ fn named(choices: &dyn Choices, scenario: &Scenario, text: &str) -> Option<&'sta
     let mut names = choices.names().into_iter().chain(choices.get(scenario));
     let alike = |name: &&str| bare(name) == bare(text);
     let synonym = || choices.synonyms().iter().find(|(word, _)| alike(word));
-    names
-        .find(alike)
-        .or_else(|| synonym().map(|(_, name)| *name))
+    names.find(alike).or_else(|| synonym().map(|(_, name)| *name))
 }
 
 fn is_name(text: &str) -> bool {
-    text.chars()
-        .all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
+    text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
 }
 
 /// The field exists, but not in the variant that its parent holds now.
 fn absent(field: &Field, scenario: &Scenario) -> Problem {
-    if let Some(Field {
-        kind: Kind::Choice(models),
-        ..
-    }) = fields::find("model")
-    {
+    if let Some(Field { kind: Kind::Choice(models), .. }) = fields::find("model") {
         let has = |model: &&str| {
             let mut other = scenario.clone();
             models.set(&mut other, model) && field.text(&other).is_some()
@@ -347,10 +321,7 @@ fn absent(field: &Field, scenario: &Scenario) -> Problem {
     while let Some((parent, _)) = path.rsplit_once('.') {
         let part = &field.path[parent.len() + 1..];
         if let Some(variant) = fields::find(parent).and_then(|parent| parent.text(scenario)) {
-            return Problem::new(
-                field.path,
-                format!("{parent} is {variant}, which has no {part}"),
-            );
+            return Problem::new(field.path, format!("{parent} is {variant}, which has no {part}"));
         }
         path = parent;
     }

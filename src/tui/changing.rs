@@ -1,8 +1,7 @@
 //! A field of a marked preset that is changed where it stands: which one, and what is typed.
 
 use crate::report::command::arguments;
-use crate::scenario::Scenario;
-use crate::scenario::fields::Field;
+use crate::scenario::{Scenario, fields::Field};
 use crate::tui::form::{FormRow, rows, strength, typed_text, with_text};
 use crate::tui::line::TextLine;
 
@@ -31,9 +30,7 @@ impl Changing {
             })
             .collect();
         let first = strength(scenario);
-        let at = fields
-            .iter()
-            .position(|field| FormRow::Field(field) == first);
+        let at = fields.iter().position(|field| FormRow::Field(field) == first);
         let mut changing = Self {
             name: name.to_owned(),
             scenario: scenario.clone(),
@@ -94,8 +91,7 @@ pub fn called(source: &str, original: &Scenario, changed: &Scenario) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::{library::find, set::set};
 
     #[test]
     fn a_changed_preset_is_called_by_its_speed_and_by_what_else_was_set() {

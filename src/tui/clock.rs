@@ -7,9 +7,7 @@ use crate::run::quantity::Quantity;
 use crate::tui::step::Step;
 
 /// Speeds in ms of impact a second.
-const SPEEDS: [f64; 13] = [
-    0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0,
-];
+const SPEEDS: [f64; 13] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 /// How many times displacement may be shown.
 const ZOOMS: [u32; 4] = [1, 2, 5, 10];
 
@@ -61,14 +59,7 @@ pub struct Clock {
 
 impl Default for Clock {
     fn default() -> Self {
-        Self {
-            moment: Moment::Deepest,
-            playing: false,
-            speed: 5,
-            zoom: 0,
-            detail: 0,
-            field: 0,
-        }
+        Self { moment: Moment::Deepest, playing: false, speed: 5, zoom: 0, detail: 0, field: 0 }
     }
 }
 
@@ -118,11 +109,7 @@ impl Clock {
         let every = last.time - before.time;
         let beyond = ((from - last.time) / every).round().max(0.0);
         let here = nearest(frames, from) + beyond as usize;
-        let next = if step.up {
-            here + by
-        } else {
-            here.saturating_sub(by)
-        };
+        let next = if step.up { here + by } else { here.saturating_sub(by) };
         let time = frames.get(next).map_or_else(
             || last.time + every * (next + 1 - frames.len()) as f64,
             |frame| frame.time,
@@ -211,11 +198,7 @@ pub struct Visit {
 pub fn peaks(answer: &Answer) -> Vec<Visit> {
     let visit = |of: &Quantity| {
         let (peak, figure) = (answer.peak(*of)?, Figure::of(answer, *of)?);
-        Some(Visit {
-            of: *of,
-            label: format!("{} {figure}", of.row().short),
-            time: peak.time,
-        })
+        Some(Visit { of: *of, label: format!("{} {figure}", of.row().short), time: peak.time })
     };
     let mut peaks: Vec<Visit> = Quantity::ALL.iter().filter_map(visit).collect();
     peaks.sort_by(|a, b| a.time.total_cmp(&b.time));
@@ -253,10 +236,7 @@ mod tests {
     fn g_visits_every_peak_in_order_and_goes_round() {
         let answer = solve(&CheckedScenario::default(), Keep::default(), &mut unwatched).unwrap();
         let all = peaks(&answer);
-        let mut clock = Clock {
-            moment: Moment::At(0.0),
-            ..Clock::default()
-        };
+        let mut clock = Clock { moment: Moment::At(0.0), ..Clock::default() };
         for peak in &all {
             clock.jump(&answer, true, |_| true);
             assert_eq!(clock.moment, Moment::At(peak.time));
@@ -277,22 +257,14 @@ mod tests {
 
     #[test]
     fn time_follows_the_wall_clock_and_starts_again_at_the_end() {
-        let mut clock = Clock {
-            playing: true,
-            ..Clock::default()
-        };
+        let mut clock = Clock { playing: true, ..Clock::default() };
         clock.advance(2.0, 0.0, 3e-3);
         assert_eq!(clock.moment, Moment::At(1e-3));
         clock.advance(10.0, 1e-3, 3e-3);
         assert_eq!(clock.moment, Moment::At(0.0));
         let keep = Keep {
             traces: false,
-            frames: Some(Spacing {
-                early: 12,
-                early_every: 1e-5,
-                every: 1e-4,
-                doubles: false,
-            }),
+            frames: Some(Spacing { early: 12, early_every: 1e-5, every: 1e-4, doubles: false }),
         };
         let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
         let frames = &answer.run.frames;
@@ -301,10 +273,7 @@ mod tests {
         let time = |clock: &Clock| clock.time(&answer);
         assert!((time(&clock) - 1e-4).abs() < 1e-12);
         clock.step(Step::MUCH_MORE, 1e-4, frames, 3e-3);
-        assert!(
-            (time(&clock) - 9.2e-4).abs() < 1e-12,
-            "two early, eight late"
-        );
+        assert!((time(&clock) - 9.2e-4).abs() < 1e-12, "two early, eight late");
         clock.step(Step::LESS, 9.2e-4, frames, 3e-3);
         assert!((time(&clock) - 8.2e-4).abs() < 1e-12);
     }

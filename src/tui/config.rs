@@ -14,14 +14,12 @@ use crate::scenario::load::read_text;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::{library, ron_text};
-use crate::tui::app::chosen_keys::named;
-use crate::tui::app::tables::clash;
-use crate::tui::keys::chosen::Keys;
-use crate::tui::screens::SCREENS;
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
-use crate::tui::view::heat::HeatMap;
 use crate::tui::view::palette::{Colour, Colours, DARK, FEW, Ground, LIGHT, ROLES};
-use crate::tui::view::text::wrapped;
+use crate::tui::view::{heat::HeatMap, text::wrapped};
+use crate::tui::{
+    app::chosen_keys::named, app::tables::clash, keys::chosen::Keys, screens::SCREENS,
+};
 
 /// What a person wants of the app.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -107,11 +105,7 @@ impl Config {
             error.of(origin)
         })?;
         let problems: Vec<Problem> = config.problems().map(placed).collect();
-        if problems.is_empty() {
-            Ok(config)
-        } else {
-            Err(ScenarioError { problems })
-        }
+        if problems.is_empty() { Ok(config) } else { Err(ScenarioError { problems }) }
     }
 
     /// What makes no sense although it could be read.
@@ -218,10 +212,7 @@ fn about(name: &str) -> String {
 
 /// What has a colour and what it is without a wish, or what a key does.
 fn about_entry(list: &str, name: &str) -> String {
-    if let Some((_, about)) = ROLES
-        .iter()
-        .find(|(role, _)| list == "colours" && *role == name)
-    {
+    if let Some((_, about)) = ROLES.iter().find(|(role, _)| list == "colours" && *role == name) {
         let [dark, light, few] = [DARK, LIGHT, FEW].map(|theme| fields(&theme)[name].to_string());
         let few = few.replace("\"auto\"", "none");
         return format!("{about}: {dark}, {light}, {few}");
@@ -237,10 +228,7 @@ fn expected(path: &str) -> Option<(&'static str, String)> {
         "ground" => (known, word::all::<Ground>()),
         "symbols" => (known, format!("\"auto\", {}", word::all::<Symbols>())),
         "heat" => (known, word::all::<HeatMap>()),
-        "fps" => (
-            "is not a whole number in range",
-            "whole numbers 1 to 60".to_owned(),
-        ),
+        "fps" => ("is not a whole number in range", "whole numbers 1 to 60".to_owned()),
         "mouse" | "idle" => ("is neither true nor false", "true or false".to_owned()),
         "start" => {
             let all = std::iter::once(LAST.to_owned()).chain(titles());
@@ -248,10 +236,9 @@ fn expected(path: &str) -> Option<(&'static str, String)> {
             (known, quoted.join(", "))
         }
         path if path.starts_with("colours.") => ("is no such colour", Colour::allowed()),
-        path if path.starts_with("keys.") => (
-            "is no key in quotes",
-            "a key or a list of keys, as in \"Ctrl-X\"".to_owned(),
-        ),
+        path if path.starts_with("keys.") => {
+            ("is no key in quotes", "a key or a list of keys, as in \"Ctrl-X\"".to_owned())
+        }
         _ => return None,
     })
 }
@@ -268,10 +255,8 @@ mod word {
 
     /// All that may be chosen, in quotes.
     pub fn all<T: ValueEnum>() -> String {
-        let words: Vec<String> = T::value_variants()
-            .iter()
-            .map(|of| format!("{:?}", name(of)))
-            .collect();
+        let words: Vec<String> =
+            T::value_variants().iter().map(|of| format!("{:?}", name(of))).collect();
         words.join(", ")
     }
 
@@ -357,11 +342,7 @@ mod tests {
             ("color: \"blue\"", 9, depths),
             ("fps: 99", 7, "out of range: allowed whole numbers 1 to 60"),
             ("fps: 300", 7, number),
-            (
-                "mouse: 1",
-                9,
-                "neither true nor false: allowed true or false",
-            ),
+            ("mouse: 1", 9, "neither true nor false: allowed true or false"),
             ("start: \"nowhere\"", 9, screens),
         ] {
             let text = format!("(\n {written},\n)");
@@ -383,11 +364,7 @@ mod tests {
         assert!(printed.contains("fat: \"bright red\","), "{printed}");
         assert!(printed.contains("bar: \"auto\","), "{printed}");
         let allowed = "allowed \"auto\", whole numbers 0 to 255, or one of \"black\", \"red\", ";
-        for (written, at) in [
-            ("heading: 256", 12),
-            ("fat: \"mauve\"", 8),
-            ("bar: true", 8),
-        ] {
+        for (written, at) in [("heading: 256", 12), ("fat: \"mauve\"", 8), ("bar: true", 8)] {
             let told = complaint(&format!("(\n colours: (\n  {written},\n ),\n)"));
             let begins =
                 format!("config.ron:3:{at}: colours.{written} is no such colour: {allowed}");

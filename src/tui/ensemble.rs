@@ -8,14 +8,9 @@ use crate::answer::solve::Answer;
 use crate::injury::Injury;
 use crate::many::bands::Band;
 use crate::many::ensemble::{Ensemble, run};
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
-use crate::tui::idle;
-use crate::tui::request::TaskQuestion;
-use crate::tui::task::Task;
-use crate::tui::worker::run_watched;
+use crate::tui::{idle, request::TaskQuestion, task::Task, worker::run_watched};
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
 pub const FEW: u32 = 256;
@@ -57,11 +52,7 @@ impl TaskQuestion for RunSamples {
                     progress.report(share, || so_far.clone())
                 })
             };
-            if self.is_idle() {
-                idle::pool().install(run)
-            } else {
-                run()
-            }
+            if self.is_idle() { idle::pool().install(run) } else { run() }
         })
     }
 
@@ -113,11 +104,7 @@ pub fn is_whole(ensemble: &Ensemble) -> bool {
 /// The answer's own range of a risk, in %.
 fn own(answer: &Answer, of: Quantity) -> Option<Band> {
     let risk = answer.risk(Injury::of(of)?)?;
-    Some(Band {
-        low: 100.0 * risk.range.0,
-        median: 100.0 * risk.risk,
-        high: 100.0 * risk.range.1,
-    })
+    Some(Band { low: 100.0 * risk.range.0, median: 100.0 * risk.risk, high: 100.0 * risk.range.1 })
 }
 
 /// The band of a result that is shown: of a risk the wider of the samples' and the answer's own.

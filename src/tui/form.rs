@@ -3,13 +3,11 @@
 //! Rows, ranges and steps come from the registry of fields. A new field shows up here by itself:
 //! among the first rows if it belongs to the blow, folded away if it does not.
 
-use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
-use crate::scenario::problem::ScenarioError;
 use crate::scenario::set::{put_number, set};
 use crate::scenario::{Impact, Model, Scenario};
-use crate::tui::line::TextLine;
-use crate::tui::step::Step;
+use crate::scenario::{doubt::number, problem::ScenarioError};
+use crate::tui::{line::TextLine, step::Step};
 
 /// A row of the form.
 #[derive(Clone, Copy)]
@@ -59,12 +57,7 @@ pub struct Typing {
 impl Default for ScenarioForm {
     /// On the preset: what hits the eye comes before by how much.
     fn default() -> Self {
-        Self {
-            selected: FormRow::Preset,
-            advanced: false,
-            typing: None,
-            complaint: None,
-        }
+        Self { selected: FormRow::Preset, advanced: false, typing: None, complaint: None }
     }
 }
 
@@ -114,10 +107,7 @@ impl ScenarioForm {
     pub fn move_cursor(&mut self, scenario: &Scenario, by: isize) {
         let rows = rows(scenario, self.advanced);
         let here = rows.iter().position(|row| *row == self.selected);
-        let next = here
-            .unwrap_or(0)
-            .saturating_add_signed(by)
-            .min(rows.len() - 1);
+        let next = here.unwrap_or(0).saturating_add_signed(by).min(rows.len() - 1);
         self.selected = rows[next];
         self.complaint = None;
     }
@@ -170,9 +160,7 @@ fn as_typed(text: &str) -> String {
 pub fn is_unverified(scenario: &Scenario, field: &Field) -> bool {
     let name = field.path.strip_prefix("impact.");
     let name = name.and_then(|path| path.split('.').next());
-    unverified(scenario)
-        .iter()
-        .any(|figure| Some(figure.as_str()) == name)
+    unverified(scenario).iter().any(|figure| Some(figure.as_str()) == name)
 }
 
 /// The names of such fields.
@@ -251,11 +239,7 @@ pub fn nudged(
     present: Option<f64>,
 ) -> Result<Scenario, String> {
     let next = |value: f64, bounds: &Bounds| {
-        let size = if step.coarse {
-            bounds.coarse
-        } else {
-            bounds.fine
-        };
+        let size = if step.coarse { bounds.coarse } else { bounds.fine };
         stepped(value, size, step.up).clamp(bounds.min, bounds.max)
     };
     let mut changed = scenario.clone();
@@ -274,11 +258,7 @@ pub fn nudged(
         }
         Kind::Integer(min, max, place) => {
             if let Some(value) = (place.get_mut)(&mut changed) {
-                let next = if step.up {
-                    value.saturating_add(1)
-                } else {
-                    value.saturating_sub(1)
-                };
+                let next = if step.up { value.saturating_add(1) } else { value.saturating_sub(1) };
                 *value = next.clamp(*min, *max);
             }
         }
@@ -303,18 +283,10 @@ fn stepped(value: f64, size: f64, up: bool) -> f64 {
     let count = value / size;
     // A value this close to a multiple is that multiple.
     let near = 1e-6;
-    let next = if up {
-        (count + near).floor() + 1.0
-    } else {
-        (count - near).ceil() - 1.0
-    };
+    let next = if up { (count + near).floor() + 1.0 } else { (count - near).ceil() - 1.0 };
     // One division keeps 0.3 from becoming 0.30000000000000004.
     let inverse = 1.0 / size;
-    if inverse.fract().abs() < 1e-9 || inverse > 1.0 {
-        next / inverse.round()
-    } else {
-        next * size
-    }
+    if inverse.fract().abs() < 1e-9 || inverse > 1.0 { next / inverse.round() } else { next * size }
 }
 
 #[cfg(test)]
@@ -406,9 +378,7 @@ mod tests {
         let basic = paths(&scenario, false);
         assert!(basic.contains(&"impact.shape.edge_fraction") && basic.contains(&"window_ms"));
         assert!(!basic.contains(&"eye.level") && paths(&scenario, true).contains(&"eye.level"));
-        let Impact::ForcePulse(pulse) = &mut scenario.impact else {
-            panic!()
-        };
+        let Impact::ForcePulse(pulse) = &mut scenario.impact else { panic!() };
         pulse.shape = PulseShape::Triangle;
         assert!(!paths(&scenario, true).contains(&"impact.shape.edge_fraction"));
     }

@@ -34,9 +34,7 @@ pub const MEMORY: u64 = 256 << 20;
 pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     let (level, window) = (scenario.eye.level, scenario.window_ms.unwrap_or(0.0));
     if level > FINEST_LEVEL {
-        return Err(format!(
-            "level {level} is not for guests: allowed 1 to {FINEST_LEVEL}"
-        ));
+        return Err(format!("level {level} is not for guests: allowed 1 to {FINEST_LEVEL}"));
     }
     if window > LONGEST_WINDOW_MS {
         return Err(format!(
@@ -61,19 +59,9 @@ fn by_the_system() -> io::Result<()> {
     use rustix::process::{Resource, Rlimit, nice, setrlimit};
 
     nice(19)?;
-    for (resource, most) in [
-        (Resource::Fsize, 0),
-        (Resource::Core, 0),
-        (Resource::Data, MEMORY),
-    ] {
+    for (resource, most) in [(Resource::Fsize, 0), (Resource::Core, 0), (Resource::Data, MEMORY)] {
         let most = Some(most);
-        setrlimit(
-            resource,
-            Rlimit {
-                current: most,
-                maximum: most,
-            },
-        )?;
+        setrlimit(resource, Rlimit { current: most, maximum: most })?;
     }
     one_core();
     Ok(())
@@ -89,10 +77,7 @@ fn one_core() {
         return;
     };
     let ours = std::process::id() as usize % (all.count().max(1) as usize);
-    if let Some(core) = (0..CpuSet::MAX_CPU)
-        .filter(|core| all.is_set(*core))
-        .nth(ours)
-    {
+    if let Some(core) = (0..CpuSet::MAX_CPU).filter(|core| all.is_set(*core)).nth(ours) {
         let mut one = CpuSet::new();
         one.set(core);
         let _ = sched_setaffinity(None, &one);
@@ -105,9 +90,7 @@ fn one_core() {}
 /// Windows has none of these limits for a process of its own.
 #[cfg(not(unix))]
 fn by_the_system() -> io::Result<()> {
-    Err(io::Error::other(
-        "guests are not held to their limits on this system",
-    ))
+    Err(io::Error::other("guests are not held to their limits on this system"))
 }
 
 #[cfg(test)]
@@ -124,10 +107,7 @@ mod tests {
         let mut fine = Scenario::default();
         fine.eye.level = FINEST_LEVEL + 1;
         assert!(allowed(&fine).unwrap_err().contains("allowed 1 to 3"));
-        let long = Scenario {
-            window_ms: Some(20.5),
-            ..Scenario::default()
-        };
+        let long = Scenario { window_ms: Some(20.5), ..Scenario::default() };
         assert!(allowed(&long).unwrap_err().contains("up to 20 ms"));
     }
 }

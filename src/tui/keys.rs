@@ -50,13 +50,7 @@ impl<A: Copy> Binding<A> {
 impl Key {
     /// Keys that nobody may choose otherwise.
     pub const fn new(presses: &'static [Press], short: &'static str, help: &'static str) -> Self {
-        Self {
-            presses,
-            short,
-            help,
-            name: "",
-            begins_value: false,
-        }
+        Self { presses, short, help, name: "", begins_value: false }
     }
 
     /// Its presses as they are written for a person; digits that all mean the same are one.

@@ -17,10 +17,7 @@ pub struct TextLine {
 impl TextLine {
     /// A line with a text to keep, to change or to type over.
     pub fn of(text: String) -> Self {
-        Self {
-            selected: !text.is_empty(),
-            input: Input::new(text),
-        }
+        Self { selected: !text.is_empty(), input: Input::new(text) }
     }
 
     /// The text.

@@ -1,8 +1,7 @@
 //! How things are drawn.
 
 use crate::tui::terminal::caps::{Depth, Symbols};
-use crate::tui::view::heat::HeatMap;
-use crate::tui::view::palette::Palette;
+use crate::tui::view::{heat::HeatMap, palette::Palette};
 
 /// How things are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,11 +20,6 @@ pub struct Look {
 impl Look {
     /// As the app is by itself on a dark ground.
     pub fn new(depth: Depth, symbols: Symbols) -> Self {
-        Self {
-            depth,
-            symbols,
-            heat: HeatMap::Hot,
-            palette: Palette::default(),
-        }
+        Self { depth, symbols, heat: HeatMap::Hot, palette: Palette::default() }
     }
 }

@@ -3,22 +3,14 @@
 
 use crate::answer::solve::Answer;
 use crate::scenario::Scenario;
-use crate::tui::choices::Choice;
-use crate::tui::clock::Clock;
-use crate::tui::ensemble::Samples;
 use crate::tui::form::{ScenarioForm, strength};
-use crate::tui::guest;
-use crate::tui::keys::chosen::Keys;
-use crate::tui::look::Look;
-use crate::tui::outbox::Outbox;
-use crate::tui::overlay::Overlay;
-use crate::tui::page::WritePage;
 use crate::tui::request::TaskQuestion as _;
-use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::{Complete, Simulate, first_estimate};
-use crate::tui::task::Task;
-use crate::tui::undo::History;
-use crate::tui::work::Work;
+use crate::tui::{choices::Choice, clock::Clock, ensemble::Samples, guest, keys::chosen::Keys};
+use crate::tui::{
+    look::Look, outbox::Outbox, overlay::Overlay, page::WritePage, shown::ShownAnswer,
+};
+use crate::tui::{task::Task, undo::History, work::Work};
 use std::time::Duration;
 
 /// The answer through whose time the clock goes, and the end of that time in s.
@@ -82,10 +74,7 @@ pub const FIRST_ESTIMATE: &str = "first estimate";
 impl AppModel {
     /// A model about to work on `work`, with everything that can be opened.
     pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
-        let form = ScenarioForm {
-            selected: strength(&work.scenario),
-            ..ScenarioForm::default()
-        };
+        let form = ScenarioForm { selected: strength(&work.scenario), ..ScenarioForm::default() };
         Self {
             work,
             history: History::default(),
@@ -118,11 +107,7 @@ impl AppModel {
     /// # Errors
     /// Says what is too much for a guest.
     pub fn allows(&self, scenario: &Scenario) -> Result<(), String> {
-        if self.guest {
-            guest::allowed(scenario)
-        } else {
-            Ok(())
-        }
+        if self.guest { guest::allowed(scenario) } else { Ok(()) }
     }
 
     /// Whether the scenario differs from what was loaded or saved.
@@ -155,11 +140,7 @@ impl AppModel {
         match &self.run.job {
             Some(job) if job.pace.is_some() => Some("previous result"),
             Some(_) => None,
-            None => self
-                .shown
-                .as_ref()
-                .is_some_and(other)
-                .then_some("last good result"),
+            None => self.shown.as_ref().is_some_and(other).then_some("last good result"),
         }
     }
 

@@ -9,18 +9,11 @@ use clap::Args;
 use crate::plain_text::quoted;
 use crate::scenario::library::resolve;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::tui::app::App;
 use crate::tui::choices::{Choice, choices};
-use crate::tui::config::Config;
-use crate::tui::look::Look;
-use crate::tui::model::AppModel;
-use crate::tui::overlay::Overlay;
-use crate::tui::picker::Picker;
-use crate::tui::saved_session::SavedSession;
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
-use crate::tui::view::palette::Palette;
-use crate::tui::work::Work;
+use crate::tui::{app::App, config::Config, look::Look, model::AppModel, overlay::Overlay};
 use crate::tui::{guest, saved_session, terminal};
+use crate::tui::{picker::Picker, saved_session::SavedSession, view::palette::Palette, work::Work};
 
 /// What is opened if nothing is asked for.
 pub(super) const FIRST: &str = "paper-300n";
@@ -119,10 +112,7 @@ pub fn run(
     let env = |name: &str| std::env::var(name).ok();
     let config = if guest.is_some() {
         guest::confine()?;
-        Config {
-            idle: false,
-            ..Config::default()
-        }
+        Config { idle: false, ..Config::default() }
     } else {
         Config::load()?
     };
@@ -136,19 +126,13 @@ pub fn run(
         depth,
         symbols: symbols(flags.symbols.or(config.symbols), env),
         heat: config.heat,
-        palette: Palette {
-            light: config.ground.is_light(env),
-            own: config.colours,
-        },
+        palette: Palette { light: config.ground.is_light(env), own: config.colours },
     };
     // Who asks for something, or wants one screen always, goes on from nowhere.
     let first = config.first_screen();
     let goes_on = guest.is_none() && first.is_none();
-    let mut app = if goes_on && sources.is_empty() {
-        resume(look)?
-    } else {
-        prepare(sources, look)?
-    };
+    let mut app =
+        if goes_on && sources.is_empty() { resume(look)? } else { prepare(sources, look)? };
     app.model.goes_on = goes_on && saved_session::can_be_kept();
     if guest.is_some() {
         welcome(&mut app.model, sources)?;
@@ -236,11 +220,7 @@ fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError
 /// Where a source makes no sense.
 pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     let first = [FIRST.to_owned()];
-    let sources = if sources.is_empty() {
-        &first[..]
-    } else {
-        sources
-    };
+    let sources = if sources.is_empty() { &first[..] } else { sources };
     let mut choices = choices();
     let mut works = Vec::new();
     for source in sources {
@@ -248,11 +228,7 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
         if !choices.iter().any(|choice| choice.name == *source) {
             choices.insert(
                 works.len().min(choices.len()),
-                Choice {
-                    name: source.clone(),
-                    scenario: Ok(scenario.clone()),
-                    origin: "file",
-                },
+                Choice { name: source.clone(), scenario: Ok(scenario.clone()), origin: "file" },
             );
         }
         works.push(Work::fresh(source, &scenario));

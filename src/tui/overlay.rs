@@ -1,10 +1,7 @@
 //! What can stand in front of a screen: the keys, a list, a name that is typed, a question.
 
 use crate::scenario::Scenario;
-use crate::tui::changing::Changing;
-use crate::tui::line::TextLine;
-use crate::tui::picker::Picker;
-use crate::tui::threshold::Asking;
+use crate::tui::{changing::Changing, line::TextLine, picker::Picker, threshold::Asking};
 
 /// Something in front of the screen.
 pub enum Overlay {
@@ -84,10 +81,7 @@ impl Prompt {
             Self::Page(stem, text) => {
                 let folder = std::env::current_dir().unwrap_or_default();
                 let size = text.len() as f64 / MEGABYTE as f64;
-                format!(
-                    "{stem}.html of {size:.1} MB goes into {}. Write it?",
-                    folder.display()
-                )
+                format!("{stem}.html of {size:.1} MB goes into {}. Write it?", folder.display())
             }
             Self::Adopt(words, _) => words.clone(),
             Self::Quit { kept: false } => {

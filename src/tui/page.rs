@@ -6,11 +6,9 @@ use std::sync::Arc;
 use crate::answer::solve::Answer;
 use crate::many::comparison::{Entry, Found};
 use crate::report::page::html;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
-use crate::tui::request::TaskQuestion;
-use crate::tui::task::Task;
+use crate::tui::{request::TaskQuestion, task::Task};
 
 /// Asks for a page for a browser.
 pub struct WritePage {

@@ -4,8 +4,7 @@
 
 use crate::scenario::problem::{ALIKE, likeness, plain};
 use crate::scenario::{Impact, Scenario};
-use crate::tui::choices::Choice;
-use crate::tui::line::TextLine;
+use crate::tui::{choices::Choice, line::TextLine};
 
 /// Rows of a page.
 pub const PAGE: i16 = 10;
@@ -99,11 +98,7 @@ fn nearness(words: &[&str], text: &str) -> Option<f64> {
             let word = word.to_lowercase();
             let parts = text.split([' ', '-']);
             let best = parts.map(|part| likeness(&word, part)).fold(0.0, f64::max);
-            let score = if text.contains(&word) {
-                1.0 + best
-            } else {
-                best
-            };
+            let score = if text.contains(&word) { 1.0 + best } else { best };
             (score > ALIKE).then_some(score)
         })
         .sum()
@@ -118,11 +113,9 @@ pub fn facts(scenario: &Scenario) -> [String; 3] {
             with(projectile.diameter_mm, "mm"),
             with(projectile.speed_m_s, "m/s"),
         ],
-        Impact::ForcePulse(pulse) => [
-            with(pulse.peak_n(), "N"),
-            String::new(),
-            with(pulse.duration_ms, "ms"),
-        ],
+        Impact::ForcePulse(pulse) => {
+            [with(pulse.peak_n(), "N"), String::new(), with(pulse.duration_ms, "ms")]
+        }
     }
 }
 
@@ -133,10 +126,7 @@ mod tests {
 
     fn found(text: &str) -> Vec<String> {
         let choices = choices();
-        let mut picker = Picker {
-            input: TextLine::of(text.to_owned()),
-            ..Picker::default()
-        };
+        let mut picker = Picker { input: TextLine::of(text.to_owned()), ..Picker::default() };
         picker.search(&choices);
         let name = |at: &usize| choices[*at].name.clone();
         picker.shown.iter().map(name).collect()

@@ -6,8 +6,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{refusal::Refusal, watch::Watch};
 
 /// Tells one request from every other; later ones are larger.
 pub type Ticket = u64;
@@ -111,10 +110,7 @@ impl Request {
             let news = News::SoFar(so_far);
             say(Report { ticket, news });
         };
-        Report {
-            ticket,
-            news: News::Done(self.question.find(watch, &mut show)),
-        }
+        Report { ticket, news: News::Done(self.question.find(watch, &mut show)) }
     }
 }
 

@@ -7,8 +7,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::plain_text::is_unprintable;
-use crate::scenario::library::is_plain;
-use crate::scenario::load::parse_file;
+use crate::scenario::{library::is_plain, load::parse_file};
 use crate::whole_file;
 
 /// Why nothing was saved.
@@ -69,9 +68,7 @@ fn is_allowed(c: char) -> bool {
 pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     // Room for a dash and three digits.
     let letters = stem.chars().take(LONGEST - 4);
-    let like: String = letters
-        .map(|c| if is_allowed(c) { c } else { '-' })
-        .collect();
+    let like: String = letters.map(|c| if is_allowed(c) { c } else { '-' }).collect();
     let like = match like.trim_start_matches(['.', '-', ' ']).trim_end() {
         "" => "blow",
         like => like,
@@ -116,11 +113,7 @@ fn retitled(text: String, (from, to): (&str, &str), folder: &Path) -> String {
     };
     to.clone_into(&mut wanted.name);
     let changed = text.replacen(&format!("{from:?}"), &format!("{to:?}"), 1);
-    if read(&changed) == Some(wanted) {
-        changed
-    } else {
-        text
-    }
+    if read(&changed) == Some(wanted) { changed } else { text }
 }
 
 /// Removes the preset `name` of `folder`; gives its text, from which it can be saved again.
@@ -194,9 +187,8 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }
@@ -275,10 +267,7 @@ mod tests {
         let outcome = save_by(folder.path(), "mine", true, |file| {
             file.write_all(b"half of the ne")?;
             // The error of a full disk, as the device that is always full gives it.
-            fs::File::options()
-                .write(true)
-                .open("/dev/full")?
-                .write_all(b"w")
+            fs::File::options().write(true).open("/dev/full")?.write_all(b"w")
         });
         assert!(matches!(&outcome, Err(SaveError::Failed(why)) if why.contains("space")));
         assert_eq!(names(folder.path()), ["mine.ron"]);

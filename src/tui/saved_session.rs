@@ -10,12 +10,10 @@ use std::{fs, io};
 
 use serde::{Deserialize, Serialize};
 
-use crate::scenario::library::home;
 use crate::scenario::load::{parse, read_text, to_ron};
-use crate::scenario::problem::ScenarioError;
 use crate::scenario::{Scenario, ron_text};
-use crate::tui::app::App;
-use crate::tui::screens::SCREENS;
+use crate::scenario::{library::home, problem::ScenarioError};
+use crate::tui::{app::App, screens::SCREENS};
 use crate::whole_file;
 
 /// Where the app was left.
@@ -49,10 +47,7 @@ impl SavedSession {
         Self {
             screen: app.screen,
             source: whole.unwrap_or_else(|| source.clone()),
-            changed: app
-                .model
-                .is_edited()
-                .then(|| app.model.work.scenario.clone()),
+            changed: app.model.is_edited().then(|| app.model.work.scenario.clone()),
         }
     }
 

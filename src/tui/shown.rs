@@ -4,8 +4,7 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use crate::answer::solve::Answer;
-use crate::report::picture::Anatomy;
-use crate::report::picture::field::TissueField;
+use crate::report::picture::{Anatomy, field::TissueField};
 use crate::run::drawing::Drawing;
 use crate::scenario::Scenario;
 use crate::tui::view::heat::hottest;
@@ -36,9 +35,7 @@ impl ShownAnswer {
         Self {
             scenario,
             hottest: hottest(&answer),
-            fields: fields
-                .map(|field| (field, field.largest(&drawing, frames)))
-                .collect(),
+            fields: fields.map(|field| (field, field.largest(&drawing, frames))).collect(),
             anatomy: Anatomy::of(&drawing),
             drawing,
             answer: Arc::new(answer),

@@ -1,17 +1,13 @@
 //! The answer to the form: asked for at every edit, and what its ranges do not hold yet once
 //! nothing newer is wanted: the mesh error, and what the inputs are not known to.
 
-use crate::answer::input_doubt::InputQuery;
 use crate::answer::mesh_error::{MeshError, MeshQuery};
-use crate::answer::results::InputDoubt;
 use crate::answer::solve::{Answer, solve};
+use crate::answer::{input_doubt::InputQuery, results::InputDoubt};
 use crate::run::kept::{Keep, Spacing};
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::{Geometry, Impact, Scenario};
-use crate::tui::idle;
-use crate::tui::request::TaskQuestion;
-use crate::tui::worker::run_watched;
+use crate::tui::{idle, request::TaskQuestion, worker::run_watched};
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -135,11 +131,7 @@ impl TaskQuestion for Complete {
 /// Whether two scenarios have one answer: neither a title nor the doubt in an input changes a
 /// single run.
 pub(super) fn is_alike(a: &Scenario, b: &Scenario) -> bool {
-    let same = Scenario {
-        name: b.name.clone(),
-        doubt: b.doubt.clone(),
-        ..a.clone()
-    };
+    let same = Scenario { name: b.name.clone(), doubt: b.doubt.clone(), ..a.clone() };
     same == *b
 }
 
@@ -171,10 +163,7 @@ fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
 pub fn keep(scenario: &Scenario) -> Keep {
     let side = 15.0 * f64::from(scenario.eye.level) + 1.0;
     let frames = FRAMES.min(MAX_KEPT / (side * side)).max(20.0);
-    Keep {
-        traces: true,
-        frames: Some(spacing(scenario, frames)),
-    }
+    Keep { traces: true, frames: Some(spacing(scenario, frames)) }
 }
 
 #[cfg(test)]
@@ -196,9 +185,7 @@ mod tests {
             let mut before = ranges(&answer);
             let question = Complete::of(&scenario, &answer);
             let mut parts = Vec::new();
-            let whole = question
-                .fill_in(&mut unwatched, &mut |part| parts.push(part))
-                .unwrap();
+            let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part)).unwrap();
             assert!(parts.len() == 1 && parts[0].inputs.is_none() && parts[0].mesh.is_some());
             parts.push(whole);
             for part in parts {

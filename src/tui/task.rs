@@ -35,10 +35,7 @@ pub struct Task<Q> {
 
 impl<Q> Default for Task<Q> {
     fn default() -> Self {
-        Self {
-            job: None,
-            complaint: None,
-        }
+        Self { job: None, complaint: None }
     }
 }
 
@@ -50,12 +47,7 @@ impl<Q: TaskQuestion> Task<Q> {
         let request = Request::new(out.ticket, question.clone());
         out.effects.push(Effect::Start(request));
         self.complaint = None;
-        self.job = Some(Job {
-            ticket: out.ticket,
-            question,
-            pace: None,
-            ending: false,
-        });
+        self.job = Some(Job { ticket: out.ticket, question, pace: None, ending: false });
     }
 
     /// Gives up what is under way and says why; whether anything was.

@@ -8,16 +8,9 @@ use std::sync::Arc;
 use crate::injury::Injury;
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::report::format::significant;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
-use crate::scenario::fields::Field;
-use crate::scenario::problem::plain;
-use crate::tui::line::TextLine;
-use crate::tui::request;
-use crate::tui::shown::ShownAnswer;
-use crate::tui::task::Task;
-use crate::tui::worker::run_watched;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
+use crate::scenario::{fields::Field, problem::plain};
+use crate::tui::{line::TextLine, request, shown::ShownAnswer, task::Task, worker::run_watched};
 
 /// What a risk or an index is asked for unless something else is typed, in %.
 const HALF: f64 = 50.0;
@@ -113,7 +106,5 @@ impl Asking {
 
 /// Four digits, as a person would type them.
 fn brief(value: f64) -> String {
-    significant(value)
-        .parse()
-        .map_or_else(|_| significant(value), plain)
+    significant(value).parse().map_or_else(|_| significant(value), plain)
 }

@@ -20,11 +20,7 @@ pub struct History<T> {
 
 impl<T> Default for History<T> {
     fn default() -> Self {
-        Self {
-            past: Vec::new(),
-            future: Vec::new(),
-            last: None,
-        }
+        Self { past: Vec::new(), future: Vec::new(), last: None }
     }
 }
 
@@ -78,10 +74,7 @@ impl<T> History<T> {
     /// Changes everything that is remembered. What comes next stands for itself.
     pub fn amend(&mut self, change: impl FnMut(&mut T)) {
         self.last = None;
-        self.past
-            .iter_mut()
-            .chain(&mut self.future)
-            .for_each(change);
+        self.past.iter_mut().chain(&mut self.future).for_each(change);
     }
 
     /// How many changes can be undone and redone.

@@ -40,10 +40,7 @@ impl Work {
     /// Another scenario in the place of this one; source and original stay.
     #[must_use]
     pub fn with(&self, scenario: Scenario) -> Self {
-        Self {
-            scenario,
-            ..self.clone()
-        }
+        Self { scenario, ..self.clone() }
     }
 }
 

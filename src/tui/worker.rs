@@ -9,8 +9,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use std::{io, thread};
 
-use crate::run::threads;
-use crate::run::watch::Watch;
+use crate::run::{threads, watch::Watch};
 use crate::tui::idle;
 use crate::tui::request::{Report, Request, Ticket};
 
@@ -96,10 +95,7 @@ fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
             if let Some(request) = slot.request.take() {
                 break request;
             }
-            slot = shared
-                .filled
-                .wait(slot)
-                .unwrap_or_else(PoisonError::into_inner);
+            slot = shared.filled.wait(slot).unwrap_or_else(PoisonError::into_inner);
         };
         drop(slot);
         let begun = Instant::now();
@@ -171,8 +167,7 @@ pub fn run_watched<T: Send, S: Send>(
             }
             thread::sleep(LOOK_EVERY);
         }
-        own.join()
-            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        own.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })
 }
 
@@ -182,8 +177,7 @@ mod tests {
     use crate::answer::solve::Answer;
     use crate::run::refusal::Refusal;
     use crate::scenario::Scenario;
-    use crate::tui::request::News;
-    use crate::tui::simulation::Simulate;
+    use crate::tui::{request::News, simulation::Simulate};
     use std::sync::mpsc::{Receiver, channel};
 
     const PATIENCE: Duration = Duration::from_secs(30);
@@ -201,10 +195,7 @@ mod tests {
     }
 
     fn long() -> Scenario {
-        let mut scenario = Scenario {
-            window_ms: Some(1000.0),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario { window_ms: Some(1000.0), ..Scenario::default() };
         scenario.eye.level = 4;
         scenario
     }

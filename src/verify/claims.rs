@@ -7,15 +7,10 @@
 
 use crate::answer::choose::{Ladder, within_by};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::answer::results::Results;
-use crate::answer::solve::solve;
+use crate::answer::{results::Results, solve::solve};
 use crate::many::statistics::median;
-use crate::run::flags::FlagKind;
-use crate::run::kept::Keep;
-use crate::run::plan::Plan;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
+use crate::run::{flags::FlagKind, kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal};
 use crate::scenario::{CheckedScenario, FINEST_LEVEL, FINEST_SPATIAL_LEVEL, Scenario};
 use crate::verify::scenes::{MAX_SCENES, Scenes};
 use rayon::prelude::*;
@@ -187,11 +182,7 @@ pub fn check(
         let counts = claims.is_some() || matches!(study, Study::Steps(_));
         let done = done.fetch_add(counts.into(), Ordering::Relaxed) + u32::from(counts);
         match watch(f64::from(done) / f64::from(count)) {
-            ControlFlow::Continue(()) => Ok(Checked {
-                index,
-                claims,
-                faults,
-            }),
+            ControlFlow::Continue(()) => Ok(Checked { index, claims, faults }),
             ControlFlow::Break(()) => Err(Refusal::Cancelled),
         }
     };
@@ -201,11 +192,7 @@ pub fn check(
         // Never more than are missing, so that none is computed in vain.
         let end = MAX_SCENES.min(next + count - done.load(Ordering::Relaxed));
         if end == next {
-            return Ok(Findings {
-                study,
-                seed,
-                scenes,
-            });
+            return Ok(Findings { study, seed, scenes });
         }
         let block: Result<Vec<_>, _> = (next..end).into_par_iter().map(check_one).collect();
         scenes.extend(block?);
@@ -277,17 +264,10 @@ fn step_errors(
         faults.push(Fault::Folded);
         return Ok(None);
     }
-    if answer
-        .results()
-        .present()
-        .any(|(_, value)| !value.is_finite())
-    {
+    if answer.results().present().any(|(_, value)| !value.is_finite()) {
         faults.push(Fault::NoNumber);
     }
-    let fine = Plan {
-        multiple: answer.plan.multiple * fineness,
-        ..answer.plan
-    };
+    let fine = Plan { multiple: answer.plan.multiple * fineness, ..answer.plan };
     let reference = answer.case.run(&fine, Keep::default(), &mut unwatched)?;
     // An answer that ends with a flat eye says nothing of what comes then.
     if reference.fold.is_some() && !has(FlagKind::EyeFlat) {
@@ -386,10 +366,7 @@ impl Findings {
         let of = |(subject, about): (Subject, Vec<(u32, Claim)>)| {
             let made = about.iter().filter_map(|(_, c)| c.claimed.zip(c.truth));
             // A claim over no error at all is infinite, as no claim is zero.
-            let ratios: Vec<f64> = made
-                .clone()
-                .map(|(claimed, truth)| claimed / truth)
-                .collect();
+            let ratios: Vec<f64> = made.clone().map(|(claimed, truth)| claimed / truth).collect();
             let truths: Vec<f64> = made.map(|(_, truth)| truth).collect();
             let claims = truths.len();
             let misses = about.iter().filter(|(_, claim)| claim.fails()).count();
@@ -433,28 +410,15 @@ mod tests {
             claims: (index != 1).then(|| vec![claim(about)]),
             faults: Vec::new(),
         };
-        Findings {
-            study,
-            seed: 1,
-            scenes: (0..).zip(claims).map(scene).collect(),
-        }
+        Findings { study, seed: 1, scenes: (0..).zip(claims).map(scene).collect() }
     }
 
     #[test]
     fn misses_folds_and_what_is_not_claimed_are_counted_apart() {
         let subject = Subject::Result(Quantity::Apex);
-        let claims = [
-            (4.0, 1.0),
-            (1.0, 9.0),
-            (1.0, 2.0),
-            (1.0, 0.0),
-            (1.0, f64::NAN),
-        ]
-        .map(Some);
+        let claims = [(4.0, 1.0), (1.0, 9.0), (1.0, 2.0), (1.0, 0.0), (1.0, f64::NAN)].map(Some);
         let all = found(Study::Steps(Scenes::Pulses), subject, claims);
-        let [row] = all.coverage()[..] else {
-            panic!("one row")
-        };
+        let [row] = all.coverage()[..] else { panic!("one row") };
         assert_eq!((row.subject, row.within), (subject, Some(50.0)));
         assert_eq!((row.claims, row.misses, row.without_claim), (4, 2, 0));
         assert_eq!(row.largest_truth, Some(2.0));
@@ -467,15 +431,9 @@ mod tests {
         let subject = Subject::Tolerance(20.0);
         let claims = [None, None, Some((20.0, 4.0)), Some((20.0, 40.0)), None];
         let rows = found(Study::Tolerances, subject, claims).coverage();
-        assert_eq!(
-            (rows[0].claims, rows[0].misses, rows[0].without_claim),
-            (2, 1, 2)
-        );
+        assert_eq!((rows[0].claims, rows[0].misses, rows[0].without_claim), (2, 1, 2));
         assert_eq!(rows[0].median_ratio, Some(2.75));
-        assert_eq!(
-            (rows[0].within, rows[0].median_cost),
-            (Some(50.0), Some(3.0))
-        );
+        assert_eq!((rows[0].within, rows[0].median_cost), (Some(50.0), Some(3.0)));
         let refused = found(Study::Tolerances, subject, [None; 5]).coverage();
         assert_eq!((refused[0].within, refused[0].median_truth), (None, None));
     }

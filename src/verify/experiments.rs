@@ -119,20 +119,12 @@ pub struct Experiment {
 impl Experiment {
     /// How well founded the figure is, in a word.
     pub fn standing(&self) -> &'static str {
-        if self.unverified {
-            "unverified"
-        } else {
-            "published"
-        }
+        if self.unverified { "unverified" } else { "published" }
     }
 }
 
 fn eye(species: Species, support: Support) -> Physiological {
-    Physiological {
-        species,
-        support,
-        ..Physiological::default()
-    }
+    Physiological { species, support, ..Physiological::default() }
 }
 
 fn projectile_at(
@@ -165,10 +157,7 @@ fn flat(mut scenario: Scenario, edge_mm: f64) -> Scenario {
 /// Windows of the impactor end just after its way: it would go on to crush the eye.
 fn impactor(speed: f64, window_ms: f64) -> Scenario {
     let model = eye(Species::Human, Support::Orbit);
-    flat(
-        projectile_at("blunt impactor", model, (1000.0, 20.0, speed), window_ms),
-        2.0,
-    )
+    flat(projectile_at("blunt impactor", model, (1000.0, 20.0, speed), window_ms), 2.0)
 }
 
 /// The ball of 6.35 mm is steel: 1.05 g.
@@ -180,8 +169,7 @@ fn ball(speed: f64) -> Scenario {
 fn rod_6() -> Scenario {
     let model = eye(Species::Pig, Support::Gelatin);
     let mut rod = projectile_at("9.25 mm rod", model, (3.5, 9.25, 6.2), 2.0);
-    rod.doubt
-        .insert("impact.mass_g".to_owned(), ROD_MASS_DOUBT_G);
+    rod.doubt.insert("impact.mass_g".to_owned(), ROD_MASS_DOUBT_G);
     flat(rod, 0.5)
 }
 
@@ -206,10 +194,8 @@ fn foam() -> Scenario {
 }
 
 fn baseball(speed: f64) -> Scenario {
-    let model = Physiological {
-        gelatin_opening_deg: 61.0,
-        ..eye(Species::Human, Support::Gelatin)
-    };
+    let model =
+        Physiological { gelatin_opening_deg: 61.0, ..eye(Species::Human, Support::Gelatin) };
     let mut scenario = projectile_at("baseball", model, (145.0, 74.0, speed), 6.0);
     if let Impact::Projectile(ball) = &mut scenario.impact {
         ball.stiffness = ProjectileStiffness::Linear { n_per_m: 2.4e5 };

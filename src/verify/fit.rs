@@ -10,8 +10,7 @@
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.
 
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{refusal::Refusal, watch::Watch};
 use crate::verify::experiments::MeasuredBand;
 use crate::verify::rerun::{Rerun, fitted, rerun, with_fat};
 use rayon::prelude::*;
@@ -64,19 +63,12 @@ impl Tried {
             let measured = row.experiment.measured;
             // What cannot be run does not fit.
             let of = |value: &Result<f64, _>| {
-                value
-                    .as_ref()
-                    .map_or(f64::INFINITY, |v| squared_misfit(measured, *v))
+                value.as_ref().map_or(f64::INFINITY, |v| squared_misfit(measured, *v))
             };
             row.predicted.iter().map(of).sum::<f64>()
         };
         let inside = rows.iter().flat_map(Rerun::inside).filter(|inside| *inside);
-        Self {
-            mpa,
-            misfit: rows.iter().map(misfit).sum(),
-            inside: inside.count(),
-            rows,
-        }
+        Self { mpa, misfit: rows.iter().map(misfit).sum(), inside: inside.count(), rows }
     }
 
     /// Whether it fits better: with more figures inside, of as many with less misfit.
@@ -112,11 +104,7 @@ pub fn fit(watch: Watch) -> Result<Fit, Refusal> {
     let nearly = near.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| {
         (low.min(t.mpa), high.max(t.mpa))
     });
-    Ok(Fit {
-        best: best.clone(),
-        nearly,
-        tried: all,
-    })
+    Ok(Fit { best: best.clone(), nearly, tried: all })
 }
 
 /// Squared distance of `value` from what was measured, in standard deviations. Where a source

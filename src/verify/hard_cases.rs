@@ -5,17 +5,12 @@
 //! their difference from the answer is its true error; where they do not, nobody can tell, and an
 //! answer without a flag that says so is wrong.
 
-use crate::answer::compiled::Compiled;
-use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve_case};
+use crate::answer::{compiled::Compiled, results::Results};
 use crate::models::paper::case::PaperCase;
 use crate::models::pulse::Piece;
 use crate::run::flags::{Flag, FlagKind};
-use crate::run::kept::Keep;
-use crate::run::model::EyeModel;
-use crate::run::plan::Plan;
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
+use crate::run::{kept::Keep, model::EyeModel, plan::Plan, refusal::Refusal, watch::unwatched};
 use crate::scenario::{
     CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape, Scenario,
 };
@@ -118,18 +113,11 @@ pub struct CaseOutcome {
 fn scene(change: impl FnOnce(&mut ForcePulse, &mut EyeInput)) -> Scenario {
     let (mut pulse, mut eye) = (ForcePulse::default(), EyeInput::default());
     change(&mut pulse, &mut eye);
-    Scenario {
-        impact: Impact::ForcePulse(pulse),
-        eye,
-        ..Scenario::default()
-    }
+    Scenario { impact: Impact::ForcePulse(pulse), eye, ..Scenario::default() }
 }
 
 fn lasting(window_ms: f64, scenario: Scenario) -> Scenario {
-    Scenario {
-        window_ms: Some(window_ms),
-        ..scenario
-    }
+    Scenario { window_ms: Some(window_ms), ..scenario }
 }
 
 /// The standard case by `integrator` at `share` of its stability limit.
@@ -306,10 +294,7 @@ impl HardCase {
         let note = if !known {
             format!("two references disagree by {between:.1} %")
         } else if let Some((quantity, truth, claimed)) = worst {
-            format!(
-                "{} is off by {truth:.1e} %, its claim is {claimed:.1e} %",
-                quantity.key()
-            )
+            format!("{} is off by {truth:.1e} %, its claim is {claimed:.1e} %", quantity.key())
         } else {
             String::new()
         };
@@ -346,11 +331,7 @@ fn reference(
     answer: &Answer,
     (integrator, fineness): (Integrator, f64),
 ) -> Result<Results, Refusal> {
-    let plan = Plan {
-        integrator,
-        multiple: fineness * answer.plan.multiple,
-        ..answer.plan
-    };
+    let plan = Plan { integrator, multiple: fineness * answer.plan.multiple, ..answer.plan };
     let solution = answer.case.run(&plan, Keep::default(), &mut unwatched)?;
     Ok(answer.case.results(&solution))
 }

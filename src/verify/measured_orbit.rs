@@ -7,9 +7,7 @@
 //! Left out: finer meshes, which take minutes, and second runs for the step error.
 
 use crate::answer::compiled::Compiled;
-use crate::run::kept::Keep;
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
+use crate::run::{kept::Keep, refusal::Refusal, watch::unwatched};
 use crate::scenario::{Geometry, Model, Physiological, Scenario, Support};
 use crate::verify::experiments::{EXPERIMENTS, Experiment};
 use crate::verify::fit::squared_misfit;
@@ -83,10 +81,7 @@ fn figure(experiment: &Experiment, mut scenario: Scenario, orbit: Geometry) -> R
     let run = || -> Result<_, Refusal> {
         let scenario = scenario.check()?;
         let case = Compiled::new(&scenario);
-        let keep = Keep {
-            traces: true,
-            frames: None,
-        };
+        let keep = Keep { traces: true, frames: None };
         let run = case.run(&case.plan_alone(&scenario)?, keep, &mut unwatched)?;
         Ok((case, run))
     };

@@ -5,11 +5,7 @@
 
 use crate::answer::compiled::Compiled;
 use crate::answer::solve::{Answer, solve};
-use crate::run::flags::FlagKind;
-use crate::run::kept::Keep;
-use crate::run::model::Run;
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
+use crate::run::{flags::FlagKind, kept::Keep, model::Run, refusal::Refusal, watch::unwatched};
 use crate::scenario::{Model, Physiological, Scenario};
 use crate::verify::experiments::{EXPERIMENTS, Experiment, Gauge};
 use rayon::prelude::*;
@@ -78,11 +74,7 @@ impl Rerun {
 pub fn rerun_all() -> Vec<Rerun> {
     let (mut rows, published) = rayon::join(
         || rerun(EXPERIMENTS.iter(), |scenario| scenario),
-        || {
-            rerun(fitted(), |s| {
-                with_fat(s, Physiological::PUBLISHED_FAT_BULK_MPA)
-            })
-        },
+        || rerun(fitted(), |s| with_fat(s, Physiological::PUBLISHED_FAT_BULK_MPA)),
     );
     // The fitted ones come first.
     for (row, published) in rows.iter_mut().zip(published) {
@@ -135,10 +127,7 @@ fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
     let on = |finer: u32| {
         let mut scenario = scenario.clone();
         scenario.eye.level += finer;
-        let keep = Keep {
-            traces: true,
-            frames: None,
-        };
+        let keep = Keep { traces: true, frames: None };
         solve(&scenario.check()?, keep, &mut unwatched)
     };
     let (finest, (finer, own)) = rayon::join(|| on(2), || rayon::join(|| on(1), || on(0)));
@@ -148,10 +137,8 @@ fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
 /// Whether a flag matters to a reading. That at a way of the object is taken before its window
 /// ends, which cuts what comes after on purpose.
 fn limits(reading: Gauge, kind: FlagKind) -> bool {
-    let ends = matches!(
-        kind,
-        FlagKind::ContactCut | FlagKind::WindowShort | FlagKind::WindowCapped
-    );
+    let ends =
+        matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort | FlagKind::WindowCapped);
     !(ends && matches!(reading, Gauge::ForceAt(_)))
 }
 

@@ -79,9 +79,7 @@ impl Draw {
 
 fn pulse(draw: Draw) -> Scenario {
     let shape = match draw.between(5, 0.0, 3.0) as u32 {
-        0 => PulseShape::SmoothRectangle {
-            edge_fraction: draw.between(6, 0.0, 0.5),
-        },
+        0 => PulseShape::SmoothRectangle { edge_fraction: draw.between(6, 0.0, 0.5) },
         1 => PulseShape::Triangle,
         _ => PulseShape::HalfSine,
     };
@@ -93,19 +91,12 @@ fn pulse(draw: Draw) -> Scenario {
         impact: Impact::ForcePulse(ForcePulse {
             force_n: draw.between(0, 20.0, 700.0),
             duration_ms: draw.between(1, 0.05, 0.35),
-            angle_deg: if head_on {
-                0.0
-            } else {
-                draw.between(2, -38.0, 38.0)
-            },
+            angle_deg: if head_on { 0.0 } else { draw.between(2, -38.0, 38.0) },
             half_width_deg: draw.between(3, 3.0, 35.0),
             shape,
         }),
         eye: EyeInput {
-            filament_hops: [2, 3, 4]
-                .into_iter()
-                .filter(|h| hops >> (h - 2) & 1 == 1)
-                .collect(),
+            filament_hops: [2, 3, 4].into_iter().filter(|h| hops >> (h - 2) & 1 == 1).collect(),
             filament_factor: draw.between(9, 0.2, 3.0),
             ..EyeInput::default()
         },
@@ -141,11 +132,7 @@ fn object(draw: Draw) -> Scenario {
     Scenario {
         name: format!("random object {} of seed {}", draw.index, draw.seed),
         model: Model::Physiological(Physiological {
-            species: if draw.share(10) < 0.7 {
-                Species::Human
-            } else {
-                Species::Pig
-            },
+            species: if draw.share(10) < 0.7 { Species::Human } else { Species::Pig },
             support: match draw.share(11) {
                 s if s < 0.6 => Support::Orbit,
                 s if s < 0.8 => Support::Gelatin,
@@ -162,11 +149,7 @@ fn object(draw: Draw) -> Scenario {
             diameter_mm,
             speed_m_s: draw.ratio(2, 5.0, 150.0).min(fastest),
             // One in four is head-on, as most presets are.
-            angle_deg: if draw.share(16) < 0.25 {
-                0.0
-            } else {
-                draw.between(17, 0.0, 40.0)
-            },
+            angle_deg: if draw.share(16) < 0.25 { 0.0 } else { draw.between(17, 0.0, 40.0) },
             outline,
             surface,
             restitution,
@@ -181,10 +164,7 @@ fn object(draw: Draw) -> Scenario {
         // What a blow does at first; the published coverage is of this.
         window_ms: Some(3.0),
         // Of the axisymmetric eye, whose coverage it is.
-        numerics: NumericsInput {
-            geometry: Geometry::Axisymmetric,
-            ..NumericsInput::default()
-        },
+        numerics: NumericsInput { geometry: Geometry::Axisymmetric, ..NumericsInput::default() },
         ..Scenario::default()
     }
 }
@@ -198,11 +178,8 @@ fn side(draw: Draw) -> Scenario {
         object.angle_clock = draw.between(19, 0.0, 12.0);
         object.offset_mm = draw.between(20, 0.0, FARTHEST_MM);
         // Every second one in the plane of the eye's axis, where half of an eye may do.
-        object.offset_clock = if draw.share(21) < 0.5 {
-            object.angle_clock
-        } else {
-            draw.between(22, 0.0, 12.0)
-        };
+        object.offset_clock =
+            if draw.share(21) < 0.5 { object.angle_clock } else { draw.between(22, 0.0, 12.0) };
     }
     if let (Err(_), Model::Physiological(eye)) = (scene.check(), &mut scene.model) {
         // It would land on the gelatin, or does not fit its opening.

@@ -20,11 +20,10 @@ use crate::injury::{Injury, PerInjury, SPEEDS};
 use crate::normal;
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
-use crate::scenario::fields::find;
-use crate::scenario::set::put_number;
 use crate::scenario::{
     Impact, Model, Outline, Physiological, Projectile, Scenario, Species, Support, Surface,
 };
+use crate::scenario::{fields::find, set::put_number};
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
@@ -47,14 +46,7 @@ pub struct TestObject {
 }
 
 const fn kind(name: &'static str, mass_g: f64, diameter_mm: f64, rod: bool) -> TestObject {
-    TestObject {
-        name,
-        mass_g,
-        diameter_mm,
-        rod,
-        doubt_g: 0.0,
-        foam: false,
-    }
+    TestObject { name, mass_g, diameter_mm, rod, doubt_g: 0.0, foam: false }
 }
 
 /// The kinds behind the energy curves.
@@ -62,24 +54,15 @@ pub static KINDS: [TestObject; 6] = [
     kind("BB 4.5 mm", 0.345, 4.5, false),
     kind("pellet 6 mm", 0.2, 6.0, false),
     kind("ball 6.35 mm", 1.05, 6.35, false),
-    TestObject {
-        doubt_g: 0.9,
-        ..kind("rod 9.25 mm", 3.5, 9.25, true)
-    },
+    TestObject { doubt_g: 0.9, ..kind("rod 9.25 mm", 3.5, 9.25, true) },
     kind("rod 11.16 mm", 45.5, 11.16, true),
-    TestObject {
-        foam: true,
-        ..kind("foam 12.4 mm", 0.2, 12.4, true)
-    },
+    TestObject { foam: true, ..kind("foam 12.4 mm", 0.2, 12.4, true) },
 ];
 
 /// Edge of the rods, in mm.
 const EDGE_MM: f64 = 0.5;
 /// Foam: stress of collapse and modulus.
-const FOAM: Surface = Surface::Inflated {
-    kpa: 500.0,
-    modulus_mpa: 3.0,
-};
+const FOAM: Surface = Surface::Inflated { kpa: 500.0, modulus_mpa: 3.0 };
 /// Blunt metal that began to hurt the retina, and the energy at which it did, J.
 static BLUNT: [TestObject; 3] = [
     kind("metal 2.6 g", 2.6, 6.35, true),
@@ -111,11 +94,7 @@ impl TestObject {
         if self.foam {
             projectile.surface = FOAM;
         }
-        let model = Physiological {
-            species,
-            support,
-            ..Physiological::default()
-        };
+        let model = Physiological { species, support, ..Physiological::default() };
         Scenario {
             name: self.name.to_owned(),
             model: Model::Physiological(model),
@@ -161,24 +140,9 @@ const ASSUMED: f64 = 0.15;
 /// What each curve is matched to. Spreads are those of a normal curve of log10 of the energy
 /// through the two published risks, of several published curves their mean.
 const MATCHES: [Match; 6] = [
-    Match {
-        injury: Injury::GlobeRupture,
-        half: &[34.2e3, 35.8e3],
-        spread: 0.267,
-        pigs: false,
-    },
-    Match {
-        injury: Injury::RetinaBack,
-        half: &[30.351e3],
-        spread: ASSUMED,
-        pigs: true,
-    },
-    Match {
-        injury: Injury::RetinaFront,
-        half: &[30.351e3],
-        spread: ASSUMED,
-        pigs: true,
-    },
+    Match { injury: Injury::GlobeRupture, half: &[34.2e3, 35.8e3], spread: 0.267, pigs: false },
+    Match { injury: Injury::RetinaBack, half: &[30.351e3], spread: ASSUMED, pigs: true },
+    Match { injury: Injury::RetinaFront, half: &[30.351e3], spread: ASSUMED, pigs: true },
     Match {
         injury: Injury::LensDislocation,
         half: &[19.194e3, 21.7e3],
@@ -191,12 +155,7 @@ const MATCHES: [Match; 6] = [
         spread: 0.5 * (0.1745 + ASSUMED),
         pigs: true,
     },
-    Match {
-        injury: Injury::CornealAbrasion,
-        half: &[1.503e3],
-        spread: ASSUMED,
-        pigs: false,
-    },
+    Match { injury: Injury::CornealAbrasion, half: &[1.503e3], spread: ASSUMED, pigs: false },
 ];
 
 /// One kind of object at the published energy.
@@ -270,13 +229,7 @@ impl Runs {
     ) -> Result<Self, Refusal> {
         let mut felt = Vec::new();
         let job = |index: usize| {
-            let Job {
-                kind,
-                speed,
-                species,
-                support,
-                change,
-            } = jobs[index];
+            let Job { kind, speed, species, support, change } = jobs[index];
             let mut scenario = kind.at(speed, species, support);
             if let Some((field, value)) = change.and_then(|(path, v)| Some((find(path)?, v))) {
                 put_number(&mut scenario, field, value);
@@ -349,22 +302,12 @@ fn onset(kind: &TestObject) -> Job {
 }
 
 fn bb(speed: f64) -> Job {
-    Job {
-        kind: KINDS[0],
-        speed,
-        species: Species::Human,
-        support: Support::Orbit,
-        change: None,
-    }
+    Job { kind: KINDS[0], speed, species: Species::Human, support: Support::Orbit, change: None }
 }
 
 impl Match {
     fn species(&self) -> &'static [Species] {
-        if self.pigs {
-            &[Species::Human, Species::Pig]
-        } else {
-            &[Species::Human]
-        }
+        if self.pigs { &[Species::Human, Species::Pig] } else { &[Species::Human] }
     }
 
     /// The kinds that it rests on.
@@ -388,9 +331,7 @@ impl Match {
             if let Some(heavier) = kind.heavier() {
                 let each = self.species().iter();
                 jobs.extend(each.flat_map(|species| {
-                    self.half
-                        .iter()
-                        .map(move |half| at(&heavier, *half, *species))
+                    self.half.iter().map(move |half| at(&heavier, *half, *species))
                 }));
             }
         }
@@ -410,10 +351,8 @@ impl Match {
 
     fn fit(&self, runs: &Runs) -> TissueFit {
         let injury = self.injury;
-        let felt: Vec<(&'static TestObject, f64)> = self
-            .kinds()
-            .filter_map(|kind| Some((kind, self.felt(kind, 1.0, runs)?)))
-            .collect();
+        let felt: Vec<(&'static TestObject, f64)> =
+            self.kinds().filter_map(|kind| Some((kind, self.felt(kind, 1.0, runs)?))).collect();
         let slopes: Vec<f64> = self
             .kinds()
             .filter_map(|kind| {
@@ -431,9 +370,7 @@ impl Match {
         let published = self
             .half
             .iter()
-            .fold((f64::INFINITY, 0.0_f64), |(low, high), half| {
-                (half.min(low), half.max(high))
-            });
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), half| (half.min(low), half.max(high)));
         let apart = 0.5 * slope * libm::log10(published.1 / published.0);
         let eyes = self.spread * slope;
         // Masses that are assumed move the mean by their share of it.
@@ -442,31 +379,19 @@ impl Match {
             Some((moved / logs.len() as f64).powi(2))
         });
         let masses: f64 = masses.sum::<f64>().sqrt();
-        let (mut known, mut half) = (
-            libm::hypot(libm::hypot(disagreement, apart), masses),
-            mean(&logs),
-        );
+        let (mut known, mut half) =
+            (libm::hypot(libm::hypot(disagreement, apart), masses), mean(&logs));
         if injury == Injury::RetinaFront {
             known = EDGE_KNOWN;
-            let onsets: Vec<f64> = BLUNT
-                .iter()
-                .filter_map(|kind| runs.of(injury, onset(kind)))
-                .collect();
+            let onsets: Vec<f64> =
+                BLUNT.iter().filter_map(|kind| runs.of(injury, onset(kind))).collect();
             half = mean(&onsets) - normal::quantile(ONSET_RISK) * libm::hypot(eyes, known);
         }
         let kinds = felt.iter().enumerate().map(|(i, (kind, felt))| {
-            let others: Vec<f64> = logs
-                .iter()
-                .enumerate()
-                .filter(|(j, _)| *j != i)
-                .map(|(_, l)| *l)
-                .collect();
+            let others: Vec<f64> =
+                logs.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, l)| *l).collect();
             let z = (felt - mean(&others)) / libm::hypot(eyes, known);
-            KindFelt {
-                kind,
-                felt: libm::pow(10.0, *felt),
-                told_by_others: normal::below(z),
-            }
+            KindFelt { kind, felt: libm::pow(10.0, *felt), told_by_others: normal::below(z) }
         });
         TissueFit {
             injury,
@@ -493,22 +418,14 @@ pub struct WithInput {
 
 /// A kind at an energy in an eye with another value of an input.
 fn moved(of: &Match, kind: &TestObject, change: (&'static str, f64)) -> Job {
-    Job {
-        change: Some(change),
-        ..at(kind, of.half[0], Species::Human)
-    }
+    Job { change: Some(change), ..at(kind, of.half[0], Species::Human) }
 }
 
 /// The values one standard deviation below and above the model's own, and that one.
 fn sides(path: &str) -> Option<([f64; 2], f64)> {
     let scenario = KINDS[0].at(1.0, Species::Human, Support::Gelatin);
-    let input = inputs(&scenario)
-        .into_iter()
-        .find(|input| input.field.path == path)?;
-    Some((
-        [-1.0, 1.0].map(|side| input.value(normal::below(side))),
-        input.nominal,
-    ))
+    let input = inputs(&scenario).into_iter().find(|input| input.field.path == path)?;
+    Some(([-1.0, 1.0].map(|side| input.value(normal::below(side))), input.nominal))
 }
 
 fn with_input(path: &'static str, runs: &Runs) -> Option<WithInput> {
@@ -540,9 +457,7 @@ pub fn fit_tissues(
     let paths = WITH_CURVES.iter().map(|(path, _)| *path);
     let with_inputs = paths.clone().flat_map(|path| {
         let values = sides(path).map_or([f64::NAN; 2], |(values, _)| values);
-        let of = MATCHES
-            .iter()
-            .flat_map(|of| of.kinds().map(move |kind| (of, kind)));
+        let of = MATCHES.iter().flat_map(|of| of.kinds().map(move |kind| (of, kind)));
         let jobs = of.flat_map(move |(of, kind)| values.map(|v| moved(of, kind, (path, v))));
         jobs.collect::<Vec<_>>()
     });
@@ -554,8 +469,7 @@ pub fn fit_tissues(
     }
     let runs = Runs::done(jobs, stop, progress)?;
     let felt = |injury: Injury, speed: f64| {
-        runs.of(injury, bb(speed))
-            .map_or(f64::NAN, |log| libm::pow(10.0, log))
+        runs.of(injury, bb(speed)).map_or(f64::NAN, |log| libm::pow(10.0, log))
     };
     Ok(TissueFits {
         injuries: MATCHES.iter().map(|of| of.fit(&runs)).collect(),

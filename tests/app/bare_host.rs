@@ -22,28 +22,11 @@ fn built() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     if std::env::var("CI").is_ok() {
         // Nothing to do if .ci/run has done it.
-        let build = [
-            "build",
-            "--release",
-            "--quiet",
-            "--bin",
-            "contrecoup",
-            "--target",
-            TARGET,
-        ];
-        let done = Command::new(env!("CARGO"))
-            .args(build)
-            .current_dir(folder)
-            .status();
-        assert!(
-            done.unwrap().success(),
-            "the static program cannot be built"
-        );
+        let build = ["build", "--release", "--quiet", "--bin", "contrecoup", "--target", TARGET];
+        let done = Command::new(env!("CARGO")).args(build).current_dir(folder).status();
+        assert!(done.unwrap().success(), "the static program cannot be built");
     }
-    let program = folder
-        .join("target")
-        .join(TARGET)
-        .join("release/contrecoup");
+    let program = folder.join("target").join(TARGET).join("release/contrecoup");
     let time = |path: &Path| fs::metadata(path).and_then(|about| about.modified()).ok();
     let here = Path::new(env!("CARGO_BIN_EXE_contrecoup"));
     let fresh = std::env::var("CI").is_ok() || time(&program) >= time(here);
@@ -74,9 +57,7 @@ fn root() -> Option<tempfile::TempDir> {
 fn bare(root: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new("chroot");
     command.arg(root).arg("/contrecoup").args(arguments);
-    command
-        .env_clear()
-        .env("PATH", std::env::var("PATH").unwrap());
+    command.env_clear().env("PATH", std::env::var("PATH").unwrap());
     command.output().unwrap()
 }
 
@@ -106,19 +87,13 @@ fn on_a_bare_root_the_static_program_prints_the_same_digits() {
     }
     // It says what it wants where there is no terminal, and where no such file is.
     assert_eq!(bare(root.path(), &[]).status.code(), Some(2));
-    assert_eq!(
-        bare(root.path(), &["run", "/none.ron"]).status.code(),
-        Some(2)
-    );
+    assert_eq!(bare(root.path(), &["run", "/none.ron"]).status.code(), Some(2));
 }
 
 #[test]
 fn over_ssh_the_app_opens_on_a_bare_root_without_a_locale() {
     let Some(root) = root() else { return };
-    let clean = format!(
-        "env -i PATH=$PATH TERM=$TERM chroot {}",
-        root.path().display()
-    );
+    let clean = format!("env -i PATH=$PATH TERM=$TERM chroot {}", root.path().display());
     let Some(server) = Server::start(&format!("exec {clean} /contrecoup tui paper-300n")) else {
         return;
     };

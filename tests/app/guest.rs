@@ -54,9 +54,7 @@ fn guests(minutes: &str) -> Vec<u32> {
     let is_guest = |pid: &u32| {
         let words = fs::read(format!("/proc/{pid}/cmdline")).unwrap_or_default();
         let words: Vec<&[u8]> = words.split(|byte| *byte == 0).collect();
-        words
-            .first()
-            .is_some_and(|program| *program == APP.as_bytes())
+        words.first().is_some_and(|program| *program == APP.as_bytes())
             && words.contains(&minutes.as_bytes())
     };
     pids.filter(is_guest).collect()
@@ -73,10 +71,7 @@ fn status(pid: u32, name: &str) -> String {
 fn stat(pid: u32) -> Vec<i128> {
     let stat = fs::read_to_string(format!("/proc/{pid}/stat")).unwrap();
     let rest = stat.rsplit_once(')').unwrap().1;
-    rest.split_whitespace()
-        .skip(1)
-        .map(|n| n.parse().unwrap())
-        .collect()
+    rest.split_whitespace().skip(1).map(|n| n.parse().unwrap()).collect()
 }
 
 #[test]
@@ -121,11 +116,7 @@ fn a_guest_tries_everything_and_no_file_appears_and_none_is_read() {
     assert_eq!(term.exit_code(), 130);
     assert_eq!(listing(home.path()), before);
     // A file on the command line is none of a guest's either.
-    for source in [
-        "curve.csv",
-        "./contrecoup/presets/aaa-secret.ron",
-        "aaa-secret",
-    ] {
+    for source in ["curve.csv", "./contrecoup/presets/aaa-secret.ron", "aaa-secret"] {
         let mut command = pty::app(&["tui", "--guest", source]);
         command.cwd(home.path());
         command.env("XDG_CONFIG_HOME", home.path());
@@ -141,9 +132,7 @@ fn a_guest_is_held_to_its_limits_by_the_system_and_sent_away_when_it_sleeps() {
         return;
     };
     let mut term = server.open();
-    let [pid] = guests("0.0501")[..] else {
-        panic!("no guest")
-    };
+    let [pid] = guests("0.0501")[..] else { panic!("no guest") };
     // Everything that it began, too.
     for task in fs::read_dir(format!("/proc/{pid}/task")).unwrap() {
         let task: u32 = task.unwrap().file_name().to_str().unwrap().parse().unwrap();
@@ -152,11 +141,9 @@ fn a_guest_is_held_to_its_limits_by_the_system_and_sent_away_when_it_sleeps() {
         assert!(core.parse::<usize>().is_ok(), "more than one core: {core}");
     }
     let limits = fs::read_to_string(format!("/proc/{pid}/limits")).unwrap();
-    for (name, most) in [
-        ("Max file size", 0),
-        ("Max core file size", 0),
-        ("Max data size", 256 << 20),
-    ] {
+    for (name, most) in
+        [("Max file size", 0), ("Max core file size", 0), ("Max data size", 256 << 20)]
+    {
         let line = limits.lines().find_map(|line| line.strip_prefix(name));
         let most = format!("{most} {most}");
         let found: Vec<_> = line.unwrap().split_whitespace().take(2).collect();
@@ -193,12 +180,8 @@ fn twenty_guests_at_once_stay_within_what_the_guide_says() {
     assert_eq!(pids.len(), 20);
     std::thread::sleep(Duration::from_secs(1));
     let used = |pid: &u32| stat(*pid)[10..12].iter().sum::<i128>() as f64 / 100.0;
-    let kilobytes = |pid: &u32| -> f64 {
-        status(*pid, "VmHWM")
-            .trim_end_matches(" kB")
-            .parse()
-            .unwrap()
-    };
+    let kilobytes =
+        |pid: &u32| -> f64 { status(*pid, "VmHWM").trim_end_matches(" kB").parse().unwrap() };
     let seconds: f64 = pids.iter().map(used).sum();
     let megabytes: f64 = pids.iter().map(kilobytes).sum::<f64>() / 1000.0;
     println!("20 guests: {megabytes:.0} MB and {seconds:.1} s of one core");
@@ -247,14 +230,8 @@ fn a_guest_who_types_without_end_sees_frames_stays_small_and_leaves_at_once() {
     }
     let left = begun.elapsed();
     println!("frames {drawn:?} in 2 s, {grown:?} kB more, left after {left:?}");
-    assert!(
-        drawn.iter().all(|frames| *frames > 1),
-        "{drawn:?} frames in two seconds"
-    );
-    assert!(
-        grown.iter().all(|kilobytes| *kilobytes < 15_000),
-        "{grown:?} kB more"
-    );
+    assert!(drawn.iter().all(|frames| *frames > 1), "{drawn:?} frames in two seconds");
+    assert!(grown.iter().all(|kilobytes| *kilobytes < 15_000), "{grown:?} kB more");
     assert!(left < Duration::from_secs(1), "left after {left:?}");
     for term in &mut terms {
         assert_eq!(term.exit_code(), 129);

@@ -9,11 +9,7 @@ use predicates::str::{contains, is_empty};
 
 fn guide(arguments: &[&str]) -> assert_cmd::assert::Assert {
     let mut command = assert_cmd::Command::cargo_bin("contrecoup").unwrap();
-    command
-        .arg("guide")
-        .args(arguments)
-        .env("PAGER", "false")
-        .assert()
+    command.arg("guide").args(arguments).env("PAGER", "false").assert()
 }
 
 /// The guide on a terminal of 24 rows with this pager.
@@ -25,18 +21,13 @@ fn on_terminal(topic: &str, pager: &str) -> Term {
 
 #[test]
 fn without_a_topic_it_lists_them() {
-    guide(&[])
-        .success()
-        .stdout(contains(contents()).and(contains("glossary")));
+    guide(&[]).success().stdout(contains(contents()).and(contains("glossary")));
 }
 
 #[test]
 fn every_topic_is_printed_plainly_through_a_pipe() {
     for topic in TOPICS {
-        let plain = contains("\u{1b}")
-            .or(contains("```"))
-            .or(contains("<!--"))
-            .not();
+        let plain = contains("\u{1b}").or(contains("```")).or(contains("<!--")).not();
         let page = guide(&[topic.name]).success().stderr(is_empty());
         page.stdout(plain.and(contains(topic.title())));
     }
@@ -59,10 +50,7 @@ fn on_a_terminal_the_page_goes_through_the_pager_that_is_asked_for() {
 
 #[test]
 fn a_pager_runs_without_a_shell_and_may_run_no_programs_of_its_own() {
-    let mut term = on_terminal(
-        "ssh",
-        "sh -c 'echo secure=$LESSSECURE; cat >/dev/null; exit 3'",
-    );
+    let mut term = on_terminal("ssh", "sh -c 'echo secure=$LESSSECURE; cat >/dev/null; exit 3'");
     term.wait_for("secure=1");
     // What the pager thinks of the page is not what the page was asked for.
     assert_eq!(term.exit_code(), 0);
@@ -73,11 +61,7 @@ fn a_pager_runs_without_a_shell_and_may_run_no_programs_of_its_own() {
 
 #[test]
 fn without_a_pager_the_page_is_printed_all_the_same() {
-    let last = TOPICS
-        .iter()
-        .find(|topic| topic.name == "injury")
-        .unwrap()
-        .plain();
+    let last = TOPICS.iter().find(|topic| topic.name == "injury").unwrap().plain();
     let last = last.lines().last().unwrap().to_owned();
     for pager in ["", "/nonexistent/pager -x", "an 'open quote"] {
         let mut term = on_terminal("injury", pager);

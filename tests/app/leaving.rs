@@ -28,13 +28,7 @@ fn q_and_control_c_leave_a_clean_terminal() {
 
 #[test]
 fn a_termination_signal_leaves_a_clean_terminal() {
-    for (name, code) in [
-        ("TERM", 143),
-        ("INT", 130),
-        ("HUP", 129),
-        ("USR1", 138),
-        ("ALRM", 142),
-    ] {
+    for (name, code) in [("TERM", 143), ("INT", 130), ("HUP", 129), ("USR1", 138), ("ALRM", 142)] {
         let mut term = started();
         term.signal(name);
         assert_eq!(term.exit_code(), code);
@@ -85,12 +79,7 @@ fn a_failed_allocation_leaves_a_clean_terminal_and_says_so() {
 #[test]
 fn a_signal_ends_the_app_while_the_terminal_does_not_read() {
     for twice in [false, true] {
-        let size = PtySize {
-            rows: 200,
-            cols: 500,
-            pixel_width: 0,
-            pixel_height: 0,
-        };
+        let size = PtySize { rows: 200, cols: 500, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(size).unwrap();
         let command = app(&["tui", "--color", "256", "--symbols", "block"]);
         let mut child = pair.slave.spawn_command(command).unwrap();
@@ -167,9 +156,7 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
 
 fn children(pid: u32) -> Vec<u32> {
     let text = fs::read_to_string(format!("/proc/{pid}/task/{pid}/children")).unwrap();
-    text.split_whitespace()
-        .map(|p| p.parse().unwrap())
-        .collect()
+    text.split_whitespace().map(|p| p.parse().unwrap()).collect()
 }
 
 /// The pid that a shell wrote before it became the app.

@@ -42,11 +42,7 @@ fn all(value: f64) -> Results {
 
 /// The measurement, with so many of its levels run.
 pub fn made_up() -> Accuracy {
-    let level = |value: &f64| OnMesh {
-        results: all(*value),
-        folded: None,
-        elements: 1e6,
-    };
+    let level = |value: &f64| OnMesh { results: all(*value), folded: None, elements: 1e6 };
     let run = |level: u32, place: usize| {
         let (integrator, step, time, error) = ROWS[place];
         let step = step * 1e-6 / f64::from(level);

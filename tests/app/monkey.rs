@@ -78,10 +78,7 @@ fn message(dice: &mut Dice, now: &mut Duration, size: (u16, u16)) -> Message {
             };
             Message::Mouse(event, size)
         }
-        3 => Message::Paste(
-            dice.one(&["450", "-1e9", "", "[1, 2]", "NaN", "a b\n"])
-                .to_owned(),
-        ),
+        3 => Message::Paste(dice.one(&["450", "-1e9", "", "[1, 2]", "NaN", "a b\n"]).to_owned()),
         4..10 => {
             let code = dice.one(KEYS);
             Message::Key(KeyEvent::new(code, dice.one(&HELD)))
@@ -89,21 +86,14 @@ fn message(dice: &mut Dice, now: &mut Duration, size: (u16, u16)) -> Message {
         10 => Message::Key(KeyEvent::from(KeyCode::F(1 + dice.below(12) as u8))),
         _ => {
             let letters: Vec<char> = LETTERS.chars().collect();
-            Message::Key(KeyEvent::new(
-                KeyCode::Char(dice.one(&letters)),
-                dice.one(&HELD),
-            ))
+            Message::Key(KeyEvent::new(KeyCode::Char(dice.one(&letters)), dice.one(&HELD)))
         }
     }
 }
 
 /// Made up at once; of a mesh that takes long to build, none.
 fn quick(scenario: &Scenario) -> Result<Answer, Refusal> {
-    if scenario.eye.level <= 2 {
-        Ok(made_up::answer(scenario))
-    } else {
-        Err(Refusal::Cancelled)
-    }
+    if scenario.eye.level <= 2 { Ok(made_up::answer(scenario)) } else { Err(Refusal::Cancelled) }
 }
 
 /// What a worker says of a request, if it says anything in time.
@@ -157,10 +147,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             depth: dice.one(&[Depth::Mono, Depth::Sixteen, Depth::TwoFiveSix]),
             symbols: dice.one(&[Symbols::Braille, Symbols::Block, Symbols::Ascii]),
             heat: dice.one(&[HeatMap::Hot, HeatMap::Cividis]),
-            palette: Palette {
-                light: dice.one(&[false, true]),
-                ..Palette::default()
-            },
+            palette: Palette { light: dice.one(&[false, true]), ..Palette::default() },
         };
         let mut app = prepare(&[], look).unwrap();
         let effects = begin(&mut app);

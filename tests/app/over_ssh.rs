@@ -24,10 +24,7 @@ fn counted(server: &Server, compressed: bool) -> (Term, Arc<AtomicUsize>) {
 }
 
 fn app_server() -> Option<Server> {
-    Server::start(&format!(
-        "XDG_CONFIG_HOME={HOME} {} tui",
-        env!("CARGO_BIN_EXE_contrecoup")
-    ))
+    Server::start(&format!("XDG_CONFIG_HOME={HOME} {} tui", env!("CARGO_BIN_EXE_contrecoup")))
 }
 
 /// Passes bytes on after `delay`, at no more than `rate` bytes a second.
@@ -55,10 +52,7 @@ fn pass(
         if let Some(rate) = rate {
             free = free.max(now) + Duration::from_secs_f64(count as f64 / rate);
         }
-        if send
-            .send((free.max(now) + delay, bytes[..count].to_vec()))
-            .is_err()
-        {
+        if send.send((free.max(now) + delay, bytes[..count].to_vec())).is_err() {
             return;
         }
     }
@@ -110,10 +104,7 @@ fn a_dropped_connection_leaves_no_process_behind() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("pid");
     let app = env!("CARGO_BIN_EXE_contrecoup");
-    let command = format!(
-        "echo $$ > {}; XDG_CONFIG_HOME={HOME} exec {app} tui",
-        file.display()
-    );
+    let command = format!("echo $$ > {}; XDG_CONFIG_HOME={HOME} exec {app} tui", file.display());
     let Some(server) = Server::start(&command) else {
         return;
     };

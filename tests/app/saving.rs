@@ -26,11 +26,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     term.keys("\x15mine\r");
     term.wait_for("saved as mine");
     let file = home.path().join("contrecoup/presets/mine.ron");
-    assert!(
-        fs::read_to_string(&file)
-            .unwrap()
-            .contains("force_n: 310.0")
-    );
+    assert!(fs::read_to_string(&file).unwrap().contains("force_n: 310.0"));
     term.keys(RIGHT);
     term.wait_for("320 N");
     term.keys("s");
@@ -40,11 +36,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     assert!(fs::read_to_string(&file).unwrap().contains("310"));
     term.keys("y");
     term.wait_for("saved as mine");
-    assert!(
-        fs::read_to_string(&file)
-            .unwrap()
-            .contains("force_n: 320.0")
-    );
+    assert!(fs::read_to_string(&file).unwrap().contains("force_n: 320.0"));
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();
@@ -80,10 +72,8 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
     term.keys("y");
     term.wait_for("not saved");
     let kept = fs::read_to_string(folder.join("mine.ron")).unwrap();
-    let names: Vec<_> = fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name())
-        .collect();
+    let names: Vec<_> =
+        fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     drop(term);
     let unmounted = Command::new("umount").arg(&folder).status();
     assert!(unmounted.unwrap().success());
@@ -95,10 +85,7 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
 fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     let home = tempfile::tempdir().unwrap();
     let mut shell = CommandBuilder::new("bash");
-    let line = format!(
-        "ulimit -f 0; exec {} tui paper-300n",
-        env!("CARGO_BIN_EXE_contrecoup")
-    );
+    let line = format!("ulimit -f 0; exec {} tui paper-300n", env!("CARGO_BIN_EXE_contrecoup"));
     shell.args(["-c", &line]);
     plain(&mut shell);
     shell.env("XDG_CONFIG_HOME", home.path());
@@ -285,10 +272,7 @@ fn hostile_files_in_the_folder_of_the_app_reach_no_terminal() {
         format!("(screen: \"{hostile}\", source: \"{source}\", changed: {changed})")
     };
     for (file, said) in [
-        (
-            left(hostile, "None"),
-            "cannot be opened any more: \\u{9b}2J",
-        ),
+        (left(hostile, "None"), "cannot be opened any more: \\u{9b}2J"),
         (left("/dev/zero", "None"), "any more: /dev/zero"),
         (left(&"x".repeat(200_000), "None"), "any more: xxx"),
         (left("bb-56", &changed), "where you left off cannot be read"),

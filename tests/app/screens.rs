@@ -48,11 +48,7 @@ fn pictures(name: &str, sources: &[&str], sizes: &[(u16, u16)], prepare: impl Fn
         let depth = if usual { Depth::Sixteen } else { Depth::Mono };
         let mut app = app(sources, depth);
         prepare(&mut app);
-        let drawn = if usual {
-            styled(&app)
-        } else {
-            picture(&app, (width, height))
-        };
+        let drawn = if usual { styled(&app) } else { picture(&app, (width, height)) };
         compare(&format!("{name}_{width}x{height}"), &drawn);
     }
 }
@@ -86,11 +82,7 @@ fn main_screen_with_advanced_fields_and_a_bad_value() {
 #[test]
 fn screens_of_256_colours_and_of_none() {
     let sources = &["paper-300n", "paper-100n", "paper-600n"];
-    for (name, keys) in [
-        ("main", ""),
-        ("replay", "\x1b2"),
-        ("compare", "\x1b4\x1b[Z"),
-    ] {
+    for (name, keys) in [("main", ""), ("replay", "\x1b2"), ("compare", "\x1b4\x1b[Z")] {
         for (colours, depth) in [("many", Depth::TwoFiveSix), ("no", Depth::Mono)] {
             let mut app = app(sources, depth);
             press(&mut app, keys);
@@ -110,10 +102,7 @@ fn the_picture_of_the_readme_shows_the_main_screen() {
     }
     let kept = std::fs::read_to_string(file).unwrap_or_default();
     let renew = "FIGURES=picture cargo test --release --test app the_picture";
-    assert!(
-        kept == drawn,
-        "the screen has changed; `{renew}` draws it again"
-    );
+    assert!(kept == drawn, "the screen has changed; `{renew}` draws it again");
 }
 
 #[test]
@@ -164,11 +153,8 @@ fn accuracy_screens() {
     pictures("accuracy", &[], &SIZES, open_measured);
     pictures("accuracy_measuring", &[], &[USUAL], |app| {
         press(app, "\x1b5");
-        let report = Report::progress(
-            ticket(&app.state::<Measurement>().task),
-            0.43,
-            Duration::ZERO,
-        );
+        let report =
+            Report::progress(ticket(&app.state::<Measurement>().task), 0.43, Duration::ZERO);
         update(app, Message::News(report));
     });
     pictures("accuracy_more_exact", &[], &[USUAL], |app| {
@@ -255,15 +241,11 @@ fn the_question_at_which_value_a_result_is_reached() {
             mesh: None,
             jump: None,
             flags: Vec::new(),
-            risk: answer.risk(Injury::GlobeRupture).map(|risk| RiskThere {
-                risk,
-                range: (Some(38.2), Some(95.1)),
-            }),
+            risk: answer
+                .risk(Injury::GlobeRupture)
+                .map(|risk| RiskThere { risk, range: (Some(38.2), Some(95.1)) }),
         };
-        let found = Threshold {
-            seen: Vec::new(),
-            crossings: vec![crossing],
-        };
+        let found = Threshold { seen: Vec::new(), crossings: vec![crossing] };
         let report = Report::done::<FindThreshold>(job.ticket, Ok(found));
         update(app, Message::News(report));
     });

@@ -43,10 +43,7 @@ impl Server {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name).display().to_string();
         for key in ["hostkey", "id"] {
-            run(
-                "ssh-keygen",
-                &["-q", "-t", "ed25519", "-N", "", "-f", &path(key)],
-            );
+            run("ssh-keygen", &["-q", "-t", "ed25519", "-N", "", "-f", &path(key)]);
         }
         let read = |name: &str| fs::read_to_string(path(name)).unwrap();
         let own = format!("restrict,pty,command=\"{command}\" {}", read("id.pub"));
@@ -81,12 +78,7 @@ impl Server {
             let begun = Instant::now();
             while process.try_wait().unwrap().is_none() {
                 if read("log").contains("Server listening") {
-                    return Some(Self {
-                        folder,
-                        process,
-                        port,
-                        user,
-                    });
+                    return Some(Self { folder, process, port, user });
                 }
                 assert!(begun.elapsed() < pty::PATIENCE, "the server never listens");
                 thread::sleep(Duration::from_millis(20));

@@ -147,10 +147,7 @@ fn a_storm_of_sizes_ends_in_a_clean_screen() {
         term.settle();
     }
     let lines = |term: &Term| -> Vec<String> {
-        term.text()
-            .lines()
-            .map(|line| line.trim_end().to_owned())
-            .collect()
+        term.text().lines().map(|line| line.trim_end().to_owned()).collect()
     };
     assert_eq!(lines(&term), lines(&untouched));
 }

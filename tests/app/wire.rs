@@ -155,11 +155,8 @@ fn the_mouse_is_never_mentioned_unless_asked_for() {
     let modes = ["?1000", "?1002", "?1003", "?1005", "?1006", "?1015", "?9"];
     let mentions = |term: &Term| -> Vec<&str> {
         let raw = String::from_utf8_lossy(&term.raw()).into_owned();
-        let said = |mode: &&&str| {
-            ['h', 'l']
-                .iter()
-                .any(|c| raw.contains(&format!("\x1b[{mode}{c}")))
-        };
+        let said =
+            |mode: &&&str| ['h', 'l'].iter().any(|c| raw.contains(&format!("\x1b[{mode}{c}")));
         modes.iter().filter(said).copied().collect()
     };
     let mut term = started();

@@ -30,10 +30,7 @@ fn soft(object: Object, stiffness: f64) -> Object {
 }
 
 fn eye(level: u32, surround: Option<Surround>) -> AxisymmetricEye {
-    let parameters = Parameters {
-        surround,
-        ..Parameters::default()
-    };
+    let parameters = Parameters { surround, ..Parameters::default() };
     AxisymmetricEye::new(&parameters, level)
 }
 
@@ -45,14 +42,7 @@ fn try_hit(
 ) -> Result<EngineRun, Stop> {
     let mut watch = |_| ControlFlow::Continue(());
     let blow = AxisymmetricLoad::Object(object);
-    run(
-        eye,
-        &blow,
-        window_ms * 1e-3,
-        share,
-        Keep::default(),
-        &mut watch,
-    )
+    run(eye, &blow, window_ms * 1e-3, share, Keep::default(), &mut watch)
 }
 
 fn hit(eye: &AxisymmetricEye, object: Object, window_ms: f64) -> EngineRun {
@@ -88,17 +78,9 @@ fn a_free_eye_keeps_momentum_and_every_eye_its_energy() {
     let run = hit(&free, object, 1.5);
     let before = object.mass * object.speed;
     assert!((run.momentum / before - 1.0).abs() < 1e-9);
-    for eye in [
-        free,
-        eye(2, Some(Surround::orbit())),
-        AxisymmetricEye::new(&pig, 2),
-    ] {
+    for eye in [free, eye(2, Some(Surround::orbit())), AxisymmetricEye::new(&pig, 2)] {
         let run = hit(&eye, object, 1.5);
-        assert!(
-            run.extremes.energy_residual < 1e-3,
-            "{}",
-            run.extremes.energy_residual
-        );
+        assert!(run.extremes.energy_residual < 1e-3, "{}", run.extremes.energy_residual);
     }
 }
 
@@ -120,13 +102,7 @@ fn a_quarter_of_the_step_gives_the_same_results() {
 fn neighbouring_speeds_give_neighbouring_results() {
     let eye = eye(1, Some(Surround::orbit()));
     let runs: Vec<_> = (0..20)
-        .map(|i| {
-            leading(&hit(
-                &eye,
-                ball(0.345, 4.5, 60.0 * (1.0 + 0.0005 * f64::from(i))),
-                0.8,
-            ))
-        })
+        .map(|i| leading(&hit(&eye, ball(0.345, 4.5, 60.0 * (1.0 + 0.0005 * f64::from(i))), 0.8)))
         .collect();
     for pair in runs.windows(2) {
         for ((what, a), (_, b)) in pair[0].into_iter().zip(pair[1]) {
@@ -164,11 +140,7 @@ fn nothing_hard_folds_a_cell_at_any_level_or_goes_through() {
                             run.steps
                         );
                         assert!(e.fold.is_none(), "{level} {what}");
-                        assert!(
-                            e.energy_residual < 0.02,
-                            "{level} {what} {}",
-                            e.energy_residual
-                        );
+                        assert!(e.energy_residual < 0.02, "{level} {what} {}", e.energy_residual);
                     }
                     Err(refusal) => panic!("{level} {what}: {refusal:?}"),
                 }
@@ -183,16 +155,7 @@ fn the_plain_loop_and_the_rows_give_the_same_run() {
     let blow = AxisymmetricLoad::Object(ball(0.345, 4.5, 60.0));
     let runs = [CellLoop::Plain, CellLoop::Rows].map(|form| {
         let mut watch = |_| ControlFlow::Continue(());
-        run_as(
-            form,
-            &eye,
-            &blow,
-            0.3e-3,
-            STEP_SHARE,
-            Keep::default(),
-            &mut watch,
-        )
-        .expect("a run")
+        run_as(form, &eye, &blow, 0.3e-3, STEP_SHARE, Keep::default(), &mut watch).expect("a run")
     });
     for ((what, a), (_, b)) in leading(&runs[0]).into_iter().zip(leading(&runs[1])) {
         assert!((a / b - 1.0).abs() < 1e-5, "{what} {a} {b}");
@@ -206,66 +169,24 @@ fn soft_objects() -> Vec<(&'static str, Object)> {
             Some(cap) => ObjectSurface::capped(stiffness, cap, object.reach()),
             None => ObjectSurface::foundation(stiffness, object.reach()),
         };
-        Object {
-            surface: surface.losing(restitution),
-            ..object
-        }
+        Object { surface: surface.losing(restitution), ..object }
     };
     vec![
-        (
-            "baseball",
-            surface(ball(145.0, 73.0, 40.0), 1.4e9, None, 0.5),
-        ),
-        (
-            "softball",
-            surface(ball(185.0, 97.0, 30.0), 2e9, None, 0.44),
-        ),
+        ("baseball", surface(ball(145.0, 73.0, 40.0), 1.4e9, None, 0.5)),
+        ("softball", surface(ball(185.0, 97.0, 30.0), 2e9, None, 0.44)),
         ("golf", surface(ball(45.9, 42.7, 60.0), 4.6e9, None, 0.78)),
-        (
-            "tennis",
-            surface(ball(58.0, 66.0, 50.0), 1e9, Some(200e3), 0.55),
-        ),
-        (
-            "squash",
-            surface(ball(24.0, 40.0, 60.0), 1e9, Some(150e3), 0.4),
-        ),
-        (
-            "racquet",
-            surface(ball(40.0, 57.0, 50.0), 1e9, Some(120e3), 0.75),
-        ),
-        (
-            "pickle",
-            surface(ball(25.0, 74.0, 25.0), 1.6e8, Some(150e3), 0.6),
-        ),
-        (
-            "soccer",
-            surface(ball(430.0, 220.0, 25.0), 1e9, Some(110e3), 0.78),
-        ),
-        (
-            "paintball",
-            surface(ball(3.0, 17.3, 90.0), 1e10, Some(4.5e6), 0.0),
-        ),
-        (
-            "gel ball",
-            surface(ball(0.25, 7.5, 60.0), 5e6, Some(1.8e6), 0.3),
-        ),
-        (
-            "cork",
-            surface(ball(9.0, 25.0, 20.0), 1.1e9, Some(800e3), 0.4),
-        ),
-        (
-            "shuttlecock",
-            surface(ball(5.0, 25.0, 70.0), 1.4e9, Some(800e3), 0.4),
-        ),
-        (
-            "foam dart",
-            surface(ball(1.2, 13.0, 25.0), 5e7, Some(150e3), 0.4),
-        ),
+        ("tennis", surface(ball(58.0, 66.0, 50.0), 1e9, Some(200e3), 0.55)),
+        ("squash", surface(ball(24.0, 40.0, 60.0), 1e9, Some(150e3), 0.4)),
+        ("racquet", surface(ball(40.0, 57.0, 50.0), 1e9, Some(120e3), 0.75)),
+        ("pickle", surface(ball(25.0, 74.0, 25.0), 1.6e8, Some(150e3), 0.6)),
+        ("soccer", surface(ball(430.0, 220.0, 25.0), 1e9, Some(110e3), 0.78)),
+        ("paintball", surface(ball(3.0, 17.3, 90.0), 1e10, Some(4.5e6), 0.0)),
+        ("gel ball", surface(ball(0.25, 7.5, 60.0), 5e6, Some(1.8e6), 0.3)),
+        ("cork", surface(ball(9.0, 25.0, 20.0), 1.1e9, Some(800e3), 0.4)),
+        ("shuttlecock", surface(ball(5.0, 25.0, 70.0), 1.4e9, Some(800e3), 0.4)),
+        ("foam dart", surface(ball(1.2, 13.0, 25.0), 5e7, Some(150e3), 0.4)),
         ("sponge", surface(ball(28.0, 40.0, 61.0), 1e8, None, 0.3)),
-        (
-            "airbag foam",
-            surface(ball(0.03, 6.0, 30.0), 3e8, None, 0.3),
-        ),
+        ("airbag foam", surface(ball(0.03, 6.0, 30.0), 3e8, None, 0.3)),
         ("fist", surface(ball(500.0, 80.0, 8.0), 1.3e8, None, 0.4)),
     ]
 }
@@ -292,11 +213,7 @@ fn soft_things_stop_before_the_eye_does_and_fold_nothing() {
                 run.steps
             );
             assert!(e.fold.is_none(), "{level} {what}");
-            assert!(
-                e.energy_residual < 0.01,
-                "{level} {what} {}",
-                e.energy_residual
-            );
+            assert!(e.energy_residual < 0.01, "{level} {what} {}", e.energy_residual);
         }
     }
 }
@@ -305,20 +222,10 @@ fn soft_things_stop_before_the_eye_does_and_fold_nothing() {
 fn a_ball_on_a_spring_gives_back_what_its_restitution_says() {
     let eye = eye(1, Some(Surround::orbit()));
     let rebound = |restitution: f64| {
-        let spring = Some(BallSpring {
-            stiffness: 2e4,
-            restitution,
-        });
-        let object = Object {
-            spring,
-            ..soft(ball(24.0, 40.0, 10.0), 1e9)
-        };
+        let spring = Some(BallSpring { stiffness: 2e4, restitution });
+        let object = Object { spring, ..soft(ball(24.0, 40.0, 10.0), 1e9) };
         let run = hit(&eye, object, 4.0);
-        assert!(
-            run.extremes.energy_residual < 0.01,
-            "{}",
-            run.extremes.energy_residual
-        );
+        assert!(run.extremes.energy_residual < 0.01, "{}", run.extremes.energy_residual);
         run.extremes.rebound.expect("an object")
     };
     let (lively, dull) = (rebound(0.9), rebound(0.3));
@@ -335,36 +242,20 @@ fn a_run_that_ends_early_has_the_extremes_of_its_whole_window() {
     let (mut count, objects_in_all) = (0, objects.len());
     for (what, object) in objects {
         let runs = [None, Some(Spacing::even(1e-3))].map(|frames| {
-            let keep = Keep {
-                traces: false,
-                frames,
-            };
+            let keep = Keep { traces: false, frames };
             let mut watch = |_| ControlFlow::Continue(());
-            run(
-                &eye,
-                &AxisymmetricLoad::Object(object),
-                4e-3,
-                STEP_SHARE,
-                keep,
-                &mut watch,
-            )
-            .expect("a run")
+            run(&eye, &AxisymmetricLoad::Object(object), 4e-3, STEP_SHARE, keep, &mut watch)
+                .expect("a run")
         });
         for ((name, early), (_, whole)) in leading(&runs[0]).into_iter().zip(leading(&runs[1])) {
-            assert!(
-                (early / whole - 1.0).abs() < 1e-5,
-                "{what} {name} {early} {whole}"
-            );
+            assert!((early / whole - 1.0).abs() < 1e-5, "{what} {name} {early} {whole}");
         }
         assert_eq!(runs[0].extremes.lens, runs[1].extremes.lens);
         assert_eq!(runs[0].extremes.node_force, runs[1].extremes.node_force);
         assert!(!runs[1].settled);
         count += usize::from(runs[0].settled);
     }
-    assert!(
-        count > objects_in_all / 2,
-        "{count} of {objects_in_all} ended early"
-    );
+    assert!(count > objects_in_all / 2, "{count} of {objects_in_all} ended early");
 }
 
 #[test]
@@ -403,16 +294,11 @@ fn another_integrator_comes_to_the_same_as_steps_get_shorter_and_is_worse_at_lon
     let exact = leading(&at(verlet, 0.05));
     let worst = |integrator, share| {
         let pairs = leading(&at(integrator, share)).into_iter().zip(exact);
-        pairs.fold(0.0, |worst: f64, ((_, a), (_, b))| {
-            worst.max((a / b - 1.0).abs())
-        })
+        pairs.fold(0.0, |worst: f64, ((_, a), (_, b))| worst.max((a / b - 1.0).abs()))
     };
     let [long, short] = [0.6, 0.15].map(|share| [worst(verlet, share), worst(euler, share)]);
     println!("{long:?} {short:?}");
-    assert!(
-        short[1] < 0.5 * long[1] && short[1] < 0.02,
-        "{long:?} {short:?}"
-    );
+    assert!(short[1] < 0.5 * long[1] && short[1] < 0.02, "{long:?} {short:?}");
     assert!(long[0] < long[1], "{long:?}");
 }
 
@@ -425,10 +311,7 @@ fn a_ball_that_bone_stops_comes_back_at_its_coefficient_of_restitution() {
             ..ball(430.0, 220.0, 25.0)
         };
         let rebound = hit(&eye, object, 15.0).extremes.rebound.expect("an object");
-        assert!(
-            (rebound / 25.0 - restitution).abs() < 0.03,
-            "{restitution} {rebound}"
-        );
+        assert!((rebound / 25.0 - restitution).abs() < 0.03, "{restitution} {rebound}");
     }
 }
 
@@ -445,29 +328,16 @@ fn a_pulse_gives_the_eye_its_work_and_balances() {
     let run = run(&eye, &blow, 1.5e-3, STEP_SHARE, Keep::default(), &mut watch).expect("a run");
     let e = &run.extremes;
     assert!((e.force.value - 100.0).abs() < 1.0, "{:?}", e.force);
-    assert!(
-        e.energy_imparted > 0.01 && e.energy_residual < 0.02,
-        "{e:?}"
-    );
+    assert!(e.energy_imparted > 0.01 && e.energy_residual < 0.02, "{e:?}");
     assert!(e.rebound.is_none() && e.apex.value > 1e-4);
 }
 
 #[test]
 fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
-    let eyes = [
-        eye(1, Some(Surround::orbit())),
-        eye(2, Some(Surround::gelatin())),
-        eye(1, None),
-    ];
+    let eyes = [eye(1, Some(Surround::orbit())), eye(2, Some(Surround::gelatin())), eye(1, None)];
     // A low-discrepancy sequence: shares of the golden ratio's kin.
     let share = |i: usize, k: usize| {
-        let step = [
-            0.819_172_5,
-            0.671_043_6,
-            0.549_700_5,
-            0.450_299_5,
-            0.368_875_3,
-        ][k];
+        let step = [0.819_172_5, 0.671_043_6, 0.549_700_5, 0.450_299_5, 0.368_875_3][k];
         (0.5 + step * (i as f64 + 1.0)).fract()
     };
     let mut worst = 0.0_f64;
@@ -490,15 +360,9 @@ fn two_hundred_objects_by_a_seed_fold_nothing_go_through_nothing_and_balance() {
             _ => ObjectSurface::splashing(500.0 * density * speed * speed, radius),
         };
         let restitution = share(i, 1);
-        let spring = (i % 3 == 0 && surface.depth.is_some()).then_some(BallSpring {
-            stiffness: between(1e3, 1e6, 2),
-            restitution,
-        });
-        let object = Object {
-            surface: surface.losing(restitution),
-            spring,
-            ..object
-        };
+        let spring = (i % 3 == 0 && surface.depth.is_some())
+            .then_some(BallSpring { stiffness: between(1e3, 1e6, 2), restitution });
+        let object = Object { surface: surface.losing(restitution), spring, ..object };
         match try_hit(&eyes[i % 3], object, 1.0, STEP_SHARE) {
             Ok(run) => {
                 let e = &run.extremes;

@@ -22,33 +22,18 @@ fn ball(mass_g: f64, diameter_mm: f64, speed: f64) -> Object {
 
 /// A heavy flat impactor of 20 mm.
 fn flat(speed: f64) -> Object {
-    Object {
-        outline: ObjectOutline::Cylinder(10e-3, 2e-3),
-        mass: 1.0,
-        ..ball(1.0, 1.0, speed)
-    }
+    Object { outline: ObjectOutline::Cylinder(10e-3, 2e-3), mass: 1.0, ..ball(1.0, 1.0, speed) }
 }
 
 fn eye(half: usize, pig: bool, surround: Option<Surround>) -> AxisymmetricEye {
-    let shell = if pig {
-        ShellParameters::pig()
-    } else {
-        ShellParameters::human()
-    };
-    let parameters = Parameters {
-        shell,
-        surround,
-        ..Parameters::default()
-    };
+    let shell = if pig { ShellParameters::pig() } else { ShellParameters::human() };
+    let parameters = Parameters { shell, surround, ..Parameters::default() };
     // The prototype's own mesh: the engines are compared, not the meshes.
     AxisymmetricEye::with_core(&parameters, half, Layers::EVEN)
 }
 
 fn hit(eye: &AxisymmetricEye, object: Object, window_ms: f64) -> EngineRun {
-    let keep = Keep {
-        traces: true,
-        frames: None,
-    };
+    let keep = Keep { traces: true, frames: None };
     let blow = AxisymmetricLoad::Object(object);
     let mut watch = |_| ControlFlow::Continue(());
     run(eye, &blow, window_ms * 1e-3, STEP_SHARE, keep, &mut watch).expect("a run")
@@ -80,36 +65,23 @@ impl Table {
     fn row(&mut self, what: &str, value: f64, prototype: [f64; 4], percent: f64) {
         let expected = prototype[self.column];
         let off = 100.0 * (value / expected - 1.0);
-        println!(
-            "| {} | {what} | {value:.3} | {expected:.3} | {off:+.1} % |",
-            self.half
-        );
+        println!("| {} | {what} | {value:.3} | {expected:.3} | {off:+.1} % |", self.half);
         if off.abs() > percent {
-            self.far
-                .push(format!("{} cells, {what}: {off:+.1} %", self.half));
+            self.far.push(format!("{} cells, {what}: {off:+.1} %", self.half));
         }
     }
 }
 
 fn compare(column: usize) {
     let half = [4, 6, 8, 12][column];
-    let mut table = Table {
-        column,
-        half,
-        far: Vec::new(),
-    };
+    let mut table = Table { column, half, far: Vec::new() };
     let soft = Surround::orbit().with_bulk(0.40e6);
     let human = |around| eye(half, false, Some(around));
     let r = hit(&human(Surround::orbit()), flat(8.2), 1.0);
     let n = force_at(&r, 7.5);
     table.row("flat 8.2 m/s, N", n, [242.0, 237.0, 236.0, 236.0], 5.0);
     let n = force_at(&hit(&human(soft), flat(8.2), 1.0), 7.5);
-    table.row(
-        "the same, softer fat, N",
-        n,
-        [212.0, 218.0, 220.0, 222.0],
-        5.0,
-    );
+    table.row("the same, softer fat, N", n, [212.0, 218.0, 220.0, 222.0], 5.0);
     let n = force_at(&hit(&human(soft), flat(10.0), 1.3), 12.0);
     table.row("flat 10 m/s, N", n, [412.0, 373.0, 363.0, 336.0], 5.0);
 
@@ -148,12 +120,7 @@ fn compare(column: usize) {
     let r = hit(&eye(half, true, None), ball(0.345, 4.5, 62.5), 0.6);
     let e = r.extremes;
     let shorter = e.shortening.value * 100.0;
-    table.row(
-        "BB 62.5 m/s, shortening, %",
-        shorter,
-        [30.0, 29.7, 30.7, 31.8],
-        5.0,
-    );
+    table.row("BB 62.5 m/s, shortening, %", shorter, [30.0, 29.7, 30.7, 31.8], 5.0);
     let wider = e.equator_growth.value * 100.0;
     table.row("equator, %", wider, [7.7, 7.9, 8.0, 8.2], 5.0);
     let time = e.equator_growth.time * 1e3;

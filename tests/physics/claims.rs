@@ -37,10 +37,7 @@ fn nineteen_of_twenty_claims_hold_and_are_no_more_than_ten_times_the_truth() {
     assert!(2 * folded < scenes, "{folded} scenes fold");
     println!("{:?}", found.misses());
     let leads = |of: Subject| result(of).row().leads != Leads::Never;
-    let rows = found
-        .coverage()
-        .into_iter()
-        .filter(|row| leads(row.subject));
+    let rows = found.coverage().into_iter().filter(|row| leads(row.subject));
     let rows: Vec<_> = rows.collect();
     assert_eq!(rows.len(), 6, "damage, apex and four node forces");
     for row in rows {
@@ -64,11 +61,7 @@ fn nineteen_of_twenty_claims_about_objects_hold() {
         .iter()
         .map(|scene| leading(scene.claims.as_ref().expect("none folds or goes through")))
         .collect();
-    let claimed = claims
-        .iter()
-        .flatten()
-        .filter(|claim| claim.claimed.is_some())
-        .count();
+    let claimed = claims.iter().flatten().filter(|claim| claim.claimed.is_some()).count();
     assert!(claimed >= 6 * claims.len(), "{claimed}");
     let missed: Vec<Claim> = found.misses().into_iter().map(|(_, claim)| claim).collect();
     let missed = leading(&missed);
@@ -86,12 +79,9 @@ fn nineteen_of_twenty_claims_about_objects_hold() {
 #[test]
 fn blows_from_the_side_fold_nothing_unsaid_and_nine_of_ten_of_their_claims_hold() {
     let found = check(Study::Steps(Scenes::Sides), 1, SEED, &unwatched).unwrap();
-    for unsaid in [
-        Fault::FoldedUnflagged,
-        Fault::NoNumber,
-        Fault::EnergyUnflagged,
-        Fault::NotFinite,
-    ] {
+    for unsaid in
+        [Fault::FoldedUnflagged, Fault::NoNumber, Fault::EnergyUnflagged, Fault::NotFinite]
+    {
         assert_eq!(found.count(unsaid), 0, "{unsaid:?}");
     }
     let claims: usize = found.coverage().iter().map(|row| row.claims).sum();
@@ -107,11 +97,7 @@ fn mesh_errors_and_tolerances_are_checked_until_as_many_scenes_as_asked_for_fold
         assert_eq!(found.scenes.len() - found.folded().len(), 1);
         assert!(found.scenes.last().unwrap().claims.is_some());
     }
-    assert_eq!(
-        meshes.folded(),
-        kept.folded(),
-        "they look at the same meshes"
-    );
+    assert_eq!(meshes.folded(), kept.folded(), "they look at the same meshes");
     let tightest = kept.coverage().pop().unwrap();
     assert_eq!(tightest.claims + tightest.without_claim, 1);
     assert!(kept.coverage()[0].median_cost.unwrap() > 1.0);

@@ -36,12 +36,7 @@ fn text(bytes: &[u8]) -> String {
 }
 
 /// Two inputs, 24 rows, of which some are refused.
-const GRID: [&str; 4] = [
-    "--vary",
-    "impact.force_n=50:600:8",
-    "--vary",
-    "impact.angle_deg=0,20,60",
-];
+const GRID: [&str; 4] = ["--vary", "impact.force_n=50:600:8", "--vary", "impact.angle_deg=0,20,60"];
 
 fn grid<'a>(more: &[&'a str]) -> Vec<&'a str> {
     GRID.iter().chain(more).copied().collect()
@@ -54,9 +49,7 @@ fn shards_put_together_are_the_whole() {
         let whole = sweep(folder.path(), &grid(&[kind]));
         assert_eq!(whole.status.code(), Some(0), "{}", text(&whole.stderr));
         let whole = text(&whole.stdout);
-        let heading = whole
-            .lines()
-            .take_while(|l| l.starts_with(comment) || l.starts_with("row"));
+        let heading = whole.lines().take_while(|l| l.starts_with(comment) || l.starts_with("row"));
         let heading: Vec<&str> = heading.collect();
         let rows: Vec<&str> = whole.lines().skip(heading.len()).collect();
         assert_eq!(rows.len(), 24);
@@ -80,17 +73,11 @@ fn shards_put_together_are_the_whole() {
 fn rows_hold_results_or_the_reason_why_not() {
     let folder = tempfile::tempdir().unwrap();
     let lines = text(&sweep(folder.path(), &grid(&["--json"])).stdout);
-    let rows: Vec<Value> = lines
-        .lines()
-        .skip(1)
-        .map(|l| serde_json::from_str(l).unwrap())
-        .collect();
+    let rows: Vec<Value> =
+        lines.lines().skip(1).map(|l| serde_json::from_str(l).unwrap()).collect();
     for (number, row) in rows.iter().enumerate() {
         assert_eq!(row["row"], number);
-        assert_eq!(
-            row["varied"]["impact.angle_deg"],
-            [0.0, 20.0, 60.0][number % 3]
-        );
+        assert_eq!(row["varied"]["impact.angle_deg"], [0.0, 20.0, 60.0][number % 3]);
         if number % 3 == 2 {
             assert!(row["refused"].as_str().unwrap().contains("bone shields"));
             assert!(row["results"].is_null());
@@ -107,10 +94,7 @@ fn rows_hold_results_or_the_reason_why_not() {
     single.extend(SHORT);
     single.extend(["--set", "impact.force_n=50", "--json"]);
     let single: Value = serde_json::from_slice(&run(folder.path(), &single).stdout).unwrap();
-    let (a, b) = (
-        &single["results"]["damage_percent"],
-        &rows[0]["results"]["damage_percent"],
-    );
+    let (a, b) = (&single["results"]["damage_percent"], &rows[0]["results"]["damage_percent"]);
     assert!((a.as_f64().unwrap() / b.as_f64().unwrap() - 1.0).abs() < 1e-3);
 }
 
@@ -139,12 +123,7 @@ const LONG: [&str; 8] = [
 ];
 
 fn start(folder: &Path) -> Child {
-    program(folder)
-        .args(LONG)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
+    program(folder).args(LONG).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
 #[test]
@@ -160,10 +139,7 @@ fn what_a_kill_leaves_is_gone_on_with_and_nothing_is_lost_or_repeated() {
         child.kill().unwrap();
         child.wait().unwrap();
         let left = fs::read(&table).unwrap();
-        assert!(
-            left.len() < whole.len(),
-            "the kill came too late to try anything"
-        );
+        assert!(left.len() < whole.len(), "the kill came too late to try anything");
         assert!(whole.starts_with(&left));
         // A torn last line is what a full disk or a lost machine leaves.
         fs::write(&table, &left[..left.len() - 7]).unwrap();
@@ -212,10 +188,7 @@ fn a_row_has_the_range_of_each_risk() {
     let vary = ["--vary", "impact.speed_m_s=20,60"];
     let output = run(folder.path(), &[&blow[..], &vary].concat());
     let said = text(&output.stdout);
-    let rows = said
-        .lines()
-        .skip(1)
-        .map(|row| serde_json::from_str::<Value>(row).unwrap());
+    let rows = said.lines().skip(1).map(|row| serde_json::from_str::<Value>(row).unwrap());
     for row in rows {
         for injury in ["globe_rupture", "retina_back", "hyphema"] {
             let percent = |end: &str| {
@@ -223,10 +196,7 @@ fn a_row_has_the_range_of_each_risk() {
                 value.as_f64().unwrap()
             };
             let (low, middle, high) = (percent("_low"), percent(""), percent("_high"));
-            assert!(
-                low <= middle && middle <= high && low < high,
-                "{injury}: {row}"
-            );
+            assert!(low <= middle && middle <= high && low < high, "{injury}: {row}");
         }
     }
 }
@@ -237,13 +207,7 @@ fn damaged_rows_are_computed_again_and_that_is_said() {
     let table = folder.path().join("t.csv");
     for form in ["--csv", "--json"] {
         let _ = fs::remove_file(&table);
-        let small = [
-            "--vary",
-            "impact.force_n=100,200,300",
-            "--out",
-            "t.csv",
-            form,
-        ];
+        let small = ["--vary", "impact.force_n=100,200,300", "--out", "t.csv", form];
         assert_eq!(sweep(folder.path(), &small).status.code(), Some(0));
         let whole = fs::read_to_string(&table).unwrap();
         let last = whole.lines().nth_back(1).unwrap();
@@ -262,10 +226,7 @@ fn damaged_rows_are_computed_again_and_that_is_said() {
             let output = sweep(folder.path(), &small);
             assert_eq!(output.status.code(), Some(0), "{damaged}");
             let said = text(&output.stderr);
-            assert!(
-                said.contains("is damaged: from there on"),
-                "{said} {damaged}"
-            );
+            assert!(said.contains("is damaged: from there on"), "{said} {damaged}");
             assert_eq!(fs::read_to_string(&table).unwrap(), whole, "{damaged}");
         }
     }
@@ -281,12 +242,7 @@ fn one_digit_off(figure: &str) -> String {
 fn a_curve_that_changed_is_another_sweep() {
     let folder = tempfile::tempdir().unwrap();
     let curve = folder.path().join("c.csv");
-    let vary = [
-        "--vary",
-        "impact.shape=Triangle,Csv(\"c.csv\")",
-        "--out",
-        "t.csv",
-    ];
+    let vary = ["--vary", "impact.shape=Triangle,Csv(\"c.csv\")", "--out", "t.csv"];
     fs::write(&curve, "0,0\n0.1,1\n0.2,0\n").unwrap();
     let first = sweep(folder.path(), &vary);
     assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
@@ -312,32 +268,16 @@ fn two_runs_do_not_write_one_table_at_once() {
 fn bad_grids_are_refused_with_2() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, word) in [
-        (
-            &["--vary", "impact.force_n=1:2"][..],
-            "expected FIELD=FROM:TO:COUNT",
-        ),
+        (&["--vary", "impact.force_n=1:2"][..], "expected FIELD=FROM:TO:COUNT"),
         (&["--vary", "impact.farce=1:2:3"], "did you mean"),
-        (
-            &["--vary", "impact.force_n=-5:2:3"],
-            "allowed 0 to 100000 N",
-        ),
-        (
-            &["--vary", "window_ms=1,2", "--shard", "3/2"],
-            "expected I/N",
-        ),
-        (
-            &["--vary", "window_ms=1,2", "--out", "."],
-            "not a regular file",
-        ),
+        (&["--vary", "impact.force_n=-5:2:3"], "allowed 0 to 100000 N"),
+        (&["--vary", "window_ms=1,2", "--shard", "3/2"], "expected I/N"),
+        (&["--vary", "window_ms=1,2", "--out", "."], "not a regular file"),
         (&[], "--vary"),
     ] {
         let output = sweep(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            text(&output.stderr).contains(word),
-            "{}",
-            text(&output.stderr)
-        );
+        assert!(text(&output.stderr).contains(word), "{}", text(&output.stderr));
     }
 }
 
@@ -347,11 +287,7 @@ fn ensemble(folder: &Path, threads: &str, more: &[&str]) -> Value {
     arguments.extend(["--json", "--samples", "40"]);
     arguments.extend(more);
     let mut command = program(folder);
-    let output = command
-        .env("RAYON_NUM_THREADS", threads)
-        .args(&arguments)
-        .output()
-        .unwrap();
+    let output = command.env("RAYON_NUM_THREADS", threads).args(&arguments).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let mut object: Value = serde_json::from_slice(&output.stdout).unwrap();
     object.as_object_mut().unwrap().remove("timing").unwrap();
@@ -365,11 +301,7 @@ fn an_ensemble_is_the_same_on_one_two_and_three_threads() {
     let one = ensemble(folder.path(), "1", &doubt);
     assert_eq!(one, ensemble(folder.path(), "2", &doubt));
     assert_eq!(one, ensemble(folder.path(), "3", &doubt));
-    let other = ensemble(
-        folder.path(),
-        "2",
-        &["--set", "impact.force_n=300 +- 20", "--seed", "2"],
-    );
+    let other = ensemble(folder.path(), "2", &["--set", "impact.force_n=300 +- 20", "--seed", "2"]);
     assert_ne!(one["results"], other["results"]);
     let band = &one["results"]["damage_percent"];
     let value = |key: &str| band[key].as_f64().unwrap();
@@ -415,9 +347,7 @@ fn an_interrupted_ensemble_prints_what_is_done_and_ends_with_130() {
         .spawn()
         .unwrap();
     thread::sleep(Duration::from_millis(1500));
-    let interrupt = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
+    let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(interrupt.unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
@@ -434,18 +364,9 @@ fn bad_doubts_and_numbers_of_samples_are_refused_with_2() {
     let file = "(name: \"a\",\n impact: ForcePulse(force_n: 300.0),\n doubt: {\"impact.force_n\": -3.0})\n";
     fs::write(folder.path().join("bad.ron"), file).unwrap();
     for (arguments, word) in [
-        (
-            &["ensemble", "paper-300n", "--samples", "7"][..],
-            "8..=65536",
-        ),
-        (
-            &["ensemble", "paper-300n", "--samples", "65537"],
-            "8..=65536",
-        ),
-        (
-            &["ensemble", "paper-300n", "--drives", "damge"],
-            "damage_percent",
-        ),
+        (&["ensemble", "paper-300n", "--samples", "7"][..], "8..=65536"),
+        (&["ensemble", "paper-300n", "--samples", "65537"], "8..=65536"),
+        (&["ensemble", "paper-300n", "--drives", "damge"], "damage_percent"),
         (
             &["ensemble", "paper-300n", "--set", "impact.force_n=300 +- x"],
             "allowed ± 0 to 100000 N",
@@ -457,10 +378,6 @@ fn bad_doubts_and_numbers_of_samples_are_refused_with_2() {
     ] {
         let output = run(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            text(&output.stderr).contains(word),
-            "{}",
-            text(&output.stderr)
-        );
+        assert!(text(&output.stderr).contains(word), "{}", text(&output.stderr));
     }
 }

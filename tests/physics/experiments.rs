@@ -41,10 +41,7 @@ fn published_moduli_meet_most_experiments_and_no_other_row_is_off_by_a_factor_of
             assert_eq!(row["inside"][mesh], (low..=high).contains(&value), "{row}");
         }
         let because = row["because"].as_str();
-        assert!(
-            row["met"] == true || because.is_some_and(|why| !why.is_empty()),
-            "{row}"
-        );
+        assert!(row["met"] == true || because.is_some_and(|why| !why.is_empty()), "{row}");
         assert!(row["step_error_percent"].as_f64().unwrap() < 10.0, "{row}");
     }
 }

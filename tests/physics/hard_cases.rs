@@ -20,10 +20,7 @@ fn every_hard_case_may_be_asked_for_and_has_a_name_of_its_own() {
 #[test]
 fn a_step_above_the_limit_is_refused_without_an_answer() {
     let cases = hard_cases::cases();
-    let case = cases
-        .iter()
-        .find(|case| case.name == "srkn6b at 1.01 of its limit")
-        .unwrap();
+    let case = cases.iter().find(|case| case.name == "srkn6b at 1.01 of its limit").unwrap();
     let outcome = case.run();
     assert_eq!(outcome.verdict, CaseVerdict::Refused);
     assert_eq!((outcome.true_error, outcome.claimed_error), (None, None));
@@ -41,21 +38,13 @@ fn no_hard_case_is_silently_wrong() {
         assert_eq!(outcome["name"], case.name, "the order is that of the table");
         assert_ne!(outcome["verdict"], CaseVerdict::Wrong.name(), "{outcome}");
         assert!(outcome["note"].is_string() && outcome["flags"].is_array());
-        for name in [
-            "true_error_percent",
-            "claimed_error_percent",
-            "energy_balance_percent",
-        ] {
+        for name in ["true_error_percent", "claimed_error_percent", "energy_balance_percent"] {
             // JSON has no number that is not finite.
             assert!(outcome.get(name).is_some(), "{name}: {outcome}");
         }
         let refused = outcome["verdict"] == CaseVerdict::Refused.name();
         assert_eq!(refused, case.name.contains("1.01"), "{outcome}");
-        assert_eq!(
-            refused,
-            outcome["claimed_error_percent"].is_null(),
-            "{outcome}"
-        );
+        assert_eq!(refused, outcome["claimed_error_percent"].is_null(), "{outcome}");
         if outcome["verdict"] == CaseVerdict::Accurate.name() {
             assert_eq!(outcome["flags"], json!([]), "{outcome}");
             assert!(outcome["true_error_percent"].is_number(), "{outcome}");
@@ -78,11 +67,7 @@ fn no_hard_case_is_silently_wrong() {
         assert!(flags.contains(&json!(flag.name())), "{}", of(name));
     }
     let chaotic = of("3 kN without damping");
-    assert_eq!(
-        chaotic["verdict"],
-        CaseVerdict::NotPredictable.name(),
-        "{chaotic}"
-    );
+    assert_eq!(chaotic["verdict"], CaseVerdict::NotPredictable.name(), "{chaotic}");
     assert!(chaotic["true_error_percent"].is_null(), "{chaotic}");
     for name in [
         "zero rise time",
@@ -93,12 +78,7 @@ fn no_hard_case_is_silently_wrong() {
         "srkn6b at 0.99 of its limit",
         "1 s of simulated time",
     ] {
-        assert_eq!(
-            of(name)["verdict"],
-            CaseVerdict::Accurate.name(),
-            "{}",
-            of(name)
-        );
+        assert_eq!(of(name)["verdict"], CaseVerdict::Accurate.name(), "{}", of(name));
     }
     // Without drag the energy has nowhere to go.
     let balance = of("no damping for 50 ms")["energy_balance_percent"].as_f64();

@@ -46,10 +46,7 @@ fn objects() -> Vec<(String, Scenario)> {
 
 /// A BB, or a pellet of 6 mm, in gelatin at an energy over area in kJ/m2.
 fn at_energy(name: &str, species: &str, energy: f64) -> Scenario {
-    let mut scenario = preset(
-        name,
-        &[("model.support", "Gelatin"), ("model.species", species)],
-    );
+    let mut scenario = preset(name, &[("model.support", "Gelatin"), ("model.species", species)]);
     if let Impact::Projectile(object) = &mut scenario.impact {
         let area = std::f64::consts::FRAC_PI_4 * (object.diameter_mm * 1e-3).powi(2);
         object.speed_m_s = (2.0 * energy * 1e3 * area / (object.mass_g * 1e-3)).sqrt();
@@ -79,10 +76,7 @@ fn of_a_bb_the_light_injuries_come_before_the_grave_ones() {
         for middle in middle {
             assert!(abrasion >= middle - 0.1, "{speed}: {answer:?}");
             for grave in grave {
-                assert!(
-                    middle >= grave - 1.0,
-                    "{speed}: {middle} {grave} {answer:?}"
-                );
+                assert!(middle >= grave - 1.0, "{speed}: {middle} {grave} {answer:?}");
             }
         }
     }
@@ -90,10 +84,8 @@ fn of_a_bb_the_light_injuries_come_before_the_grave_ones() {
 
 #[test]
 fn presets_are_as_grave_as_clinics_see_them() {
-    let all: Vec<(String, BriefAnswer)> = objects()
-        .par_iter()
-        .map(|(name, scenario)| (name.clone(), run(scenario)))
-        .collect();
+    let all: Vec<(String, BriefAnswer)> =
+        objects().par_iter().map(|(name, scenario)| (name.clone(), run(scenario))).collect();
     let of = |name: &str| &all.iter().find(|(known, _)| known == name).unwrap().1;
     let risk = |name: &str, injury| percent(of(name), injury);
     for name in ["squash-ball", "shuttlecock", "tennis-ball"] {
@@ -113,10 +105,7 @@ fn presets_are_as_grave_as_clinics_see_them() {
     for (name, answer) in &all {
         let [rupture, abrasion] =
             [Injury::GlobeRupture, Injury::CornealAbrasion].map(|injury| percent(answer, injury));
-        assert!(
-            abrasion >= rupture.min(90.0),
-            "{name}: {rupture} {abrasion}"
-        );
+        assert!(abrasion >= rupture.min(90.0), "{name}: {rupture} {abrasion}");
     }
 }
 
@@ -169,10 +158,8 @@ const SHARES: [f64; 5] = [0.25, 0.5, 0.75, 1.1, 2.0];
 
 #[test]
 fn what_tissues_feel_rises_with_speed_within_its_stated_error() {
-    let wrong: Vec<String> = objects()
-        .par_iter()
-        .flat_map(|(name, scenario)| falls(name, scenario))
-        .collect();
+    let wrong: Vec<String> =
+        objects().par_iter().flat_map(|(name, scenario)| falls(name, scenario)).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -205,11 +192,7 @@ fn falls(name: &str, scenario: &Scenario) -> Vec<String> {
         }
         let (_, answer) = answers.iter().find(|(known, _)| *known == share).unwrap();
         let known = answer.errors.mesh.unwrap()[of].is_some();
-        if known {
-            answer.errors.share(of)
-        } else {
-            f64::INFINITY
-        }
+        if known { answer.errors.share(of) } else { f64::INFINITY }
     };
     let mut wrong = Vec::new();
     for pair in runs.windows(2) {

@@ -16,10 +16,7 @@ use contrecoup::scenario::{Curve, ForcePulse, Impact, Integrator, PulseShape, Sc
 /// 300 N over 0.2 ms in the given shape.
 fn blow(shape: PulseShape) -> Scenario {
     Scenario {
-        impact: Impact::ForcePulse(ForcePulse {
-            shape,
-            ..ForcePulse::default()
-        }),
+        impact: Impact::ForcePulse(ForcePulse { shape, ..ForcePulse::default() }),
         ..Scenario::default()
     }
 }
@@ -52,10 +49,7 @@ fn noisy(n: u32) -> PulseShape {
     let mut time = 0.0;
     let values: Vec<f64> = noise(2 * n).collect();
     table(values.chunks_exact(2).map(|pair| {
-        let knot = (
-            time,
-            (std::f64::consts::PI * time / 0.2).sin() + 0.1 * pair[0],
-        );
+        let knot = (time, (std::f64::consts::PI * time / 0.2).sin() + 0.1 * pair[0]);
         time += 0.2 / f64::from(n - 1) * (1.0 + 0.8 * pair[1]);
         knot
     }))
@@ -73,14 +67,8 @@ fn apart(a: &Answer, b: &Answer) -> f64 {
 #[test]
 fn a_table_of_two_or_three_knots_answers_like_the_shape_it_draws() {
     for (knots, shape) in [
-        (
-            &[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)][..],
-            PulseShape::Triangle,
-        ),
-        (
-            &[(0.0, 1.0), (0.2, 1.0)],
-            PulseShape::SmoothRectangle { edge_fraction: 0.0 },
-        ),
+        (&[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)][..], PulseShape::Triangle),
+        (&[(0.0, 1.0), (0.2, 1.0)], PulseShape::SmoothRectangle { edge_fraction: 0.0 }),
     ] {
         let table = answer(&blow(table(knots.iter().copied())));
         let apart = apart(&table, &answer(&blow(shape)));
@@ -110,10 +98,8 @@ fn a_noisy_recording_keeps_its_stated_errors_and_costs_a_few_steps_a_knot() {
         let mut fine = scenario.clone();
         fine.numerics.integrator = Some(Integrator::Srkn11b);
         fine.numerics.step_us = Some(0.2);
-        let (missed, stated) = (
-            100.0 * apart(&coarse, &answer(&fine)),
-            coarse.errors.time_step_percent().unwrap(),
-        );
+        let (missed, stated) =
+            (100.0 * apart(&coarse, &answer(&fine)), coarse.errors.time_step_percent().unwrap());
         println!(
             "{integrator:?}: missed {missed:.2e} %, stated {stated:.2e} %, {} steps, {} for the shape",
             coarse.run.cost.steps, plain.run.cost.steps
@@ -128,26 +114,15 @@ fn a_noisy_recording_keeps_its_stated_errors_and_costs_a_few_steps_a_knot() {
 #[test]
 fn the_most_knots_in_the_shortest_time_stay_affordable_and_are_honest() {
     let knots = (0..Curve::MAX_KNOTS).zip(noise(2000));
-    let mut scenario = blow(table(
-        knots.map(|(i, noise)| (i as f64 * 1e-6, 1.0 + noise)),
-    ));
-    let Impact::ForcePulse(pulse) = &mut scenario.impact else {
-        panic!()
-    };
+    let mut scenario = blow(table(knots.map(|(i, noise)| (i as f64 * 1e-6, 1.0 + noise))));
+    let Impact::ForcePulse(pulse) = &mut scenario.impact else { panic!() };
     pulse.duration_ms = 0.002;
     let crowded = answer(&scenario);
-    assert!(
-        crowded.run.cost.steps < 4 * 2000 + 5000,
-        "{}",
-        crowded.run.cost.steps
-    );
+    assert!(crowded.run.cost.steps < 4 * 2000 + 5000, "{}", crowded.run.cost.steps);
     let mut fine = scenario.clone();
     fine.numerics.step_us = Some(0.05);
     let missed = 100.0 * apart(&crowded, &answer(&fine));
-    assert!(
-        missed <= crowded.errors.time_step_percent().unwrap(),
-        "{missed}"
-    );
+    assert!(missed <= crowded.errors.time_step_percent().unwrap(), "{missed}");
 }
 
 #[test]
@@ -158,14 +133,7 @@ fn only_the_impulse_of_a_very_short_recording_moves_the_eye() {
         set(&mut scenario, "impact.force_n", "20000").unwrap();
         answer(&scenario).peak(Quantity::Apex).unwrap().value
     };
-    let spike = short(&[
-        (0.0, 0.0),
-        (0.2, 1.0),
-        (0.4, -0.5),
-        (0.6, 0.5),
-        (0.8, 1.0),
-        (1.0, 0.0),
-    ]);
+    let spike = short(&[(0.0, 0.0), (0.2, 1.0), (0.4, -0.5), (0.6, 0.5), (0.8, 1.0), (1.0, 0.0)]);
     let even = short(&[(0.0, 0.4), (1.0, 0.4)]);
     assert!((spike / even - 1.0).abs() < 1e-3, "{spike} {even}");
 }
@@ -173,21 +141,12 @@ fn only_the_impulse_of_a_very_short_recording_moves_the_eye() {
 #[test]
 fn a_curve_in_a_file_is_part_of_the_scenario_once_it_is_read() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(
-        folder.path().join("blow.csv"),
-        "t_ms,share\n0,0\n0.05,1\n0.3,0\n",
-    )
-    .unwrap();
+    fs::write(folder.path().join("blow.csv"), "t_ms,share\n0,0\n0.05,1\n0.3,0\n").unwrap();
     let file = folder.path().join("blow.ron");
-    fs::write(
-        &file,
-        "(name: \"x\", impact: ForcePulse(force_n: 120, shape: Csv(\"blow.csv\")))",
-    )
-    .unwrap();
+    fs::write(&file, "(name: \"x\", impact: ForcePulse(force_n: 120, shape: Csv(\"blow.csv\")))")
+        .unwrap();
     let scenario = load(&file).unwrap();
-    let Impact::ForcePulse(pulse) = &scenario.impact else {
-        panic!()
-    };
+    let Impact::ForcePulse(pulse) = &scenario.impact else { panic!() };
     assert_eq!(pulse.duration_ms, 0.3);
     assert_eq!(pulse.shape, table([(0.0, 0.0), (0.05, 1.0), (0.3, 0.0)]));
     // What is saved needs the file no longer.
@@ -197,10 +156,7 @@ fn a_curve_in_a_file_is_part_of_the_scenario_once_it_is_read() {
     // A text without a place can name no file.
     let text = fs::read_to_string(&file).unwrap();
     let error = parse(&text, "here").unwrap_err().to_string();
-    assert!(
-        error.contains("only a scenario file can name a file"),
-        "{error}"
-    );
+    assert!(error.contains("only a scenario file can name a file"), "{error}");
 }
 
 #[test]
@@ -240,28 +196,14 @@ fn the_command_line_takes_a_curve_from_a_file_or_from_a_flag() {
     let run = |arguments: &[&str]| {
         let (out, _) = printed(&program(folder.path(), arguments).success());
         let json: serde_json::Value = serde_json::from_str(&out).unwrap();
-        (
-            json["scenario"]["impact"]["ForcePulse"].clone(),
-            json["results"].clone(),
-        )
+        (json["scenario"]["impact"]["ForcePulse"].clone(), json["results"].clone())
     };
     let beside = run(&["run", "trial/blow.ron", "--json"]);
-    assert_eq!(
-        beside.0["shape"]["Table"][1],
-        serde_json::json!([0.05, 1.0])
-    );
+    assert_eq!(beside.0["shape"]["Table"][1], serde_json::json!([0.05, 1.0]));
     assert_eq!(beside.0["duration_ms"], 0.3);
     // A flag names a path from the working directory, and the curve brings its own duration.
     let flag = "impact.shape=Csv(\"trial/blow.csv\")";
-    let set = [
-        "run",
-        "paper-300n",
-        "--json",
-        "--set",
-        "impact.force_n=120",
-        "--set",
-        flag,
-    ];
+    let set = ["run", "paper-300n", "--json", "--set", "impact.force_n=120", "--set", flag];
     assert_eq!(run(&set), beside);
     let longer = [&set[..], &["--set", "impact.duration_ms=0.6"]].concat();
     assert_eq!(run(&longer).0["duration_ms"], 0.6);
@@ -270,21 +212,13 @@ fn the_command_line_takes_a_curve_from_a_file_or_from_a_flag() {
         let (out, error) = printed(&program(folder.path(), arguments).code(2));
         assert!(out.is_empty() && error.contains(said), "{error}");
     };
-    refused(
-        &["run", "paper-300n", "--set", "impact.shape=Table"],
-        "Table([(t_ms, share), ...])",
-    );
+    refused(&["run", "paper-300n", "--set", "impact.shape=Table"], "Table([(t_ms, share), ...])");
     refused(
         &["run", "paper-300n", "--set", "impact.shape=Csv(\"no.csv\")"],
         "no.csv: there is no such file",
     );
     refused(
-        &[
-            "run",
-            "trial/blow.ron",
-            "--set",
-            "impact.shape.edge_fraction=0.2",
-        ],
+        &["run", "trial/blow.ron", "--set", "impact.shape.edge_fraction=0.2"],
         "impact.shape is Table, which has no edge_fraction",
     );
     fs::write(&csv, "0,0\n0.05,1\n0.04,0\n").unwrap();
@@ -332,10 +266,7 @@ fn sweeps_and_ensembles_vary_what_stands_beside_a_table() {
 #[test]
 fn a_sweep_over_recorded_curves_runs_each_of_them() {
     let folder = tempfile::tempdir().unwrap();
-    for (name, text) in [
-        ("a.csv", "0,0\n0.1,1\n0.2,0\n"),
-        ("b.csv", "0,0\n0.2,1\n0.4,0\n"),
-    ] {
+    for (name, text) in [("a.csv", "0,0\n0.1,1\n0.2,0\n"), ("b.csv", "0,0\n0.2,1\n0.4,0\n")] {
         fs::write(folder.path().join(name), text).unwrap();
     }
     // Beside another pulse the word Table would be refused; beside a table it would mean that

@@ -13,11 +13,7 @@ use contrecoup::scenario::load::parse;
 use contrecoup::scenario::{ForcePulse, Impact, Lens, PulseShape, Scenario};
 
 fn pulse(force_n: f64, duration_ms: f64) -> ForcePulse {
-    ForcePulse {
-        force_n,
-        duration_ms,
-        ..ForcePulse::default()
-    }
+    ForcePulse { force_n, duration_ms, ..ForcePulse::default() }
 }
 
 fn off_axis() -> ForcePulse {
@@ -40,10 +36,7 @@ struct Found {
 }
 
 fn found(blow: &ForcePulse, level: u32, lens: Lens) -> Found {
-    let mut scenario = Scenario {
-        impact: Impact::ForcePulse(blow.clone()),
-        ..Scenario::default()
-    };
+    let mut scenario = Scenario { impact: Impact::ForcePulse(blow.clone()), ..Scenario::default() };
     scenario.eye.level = level;
     scenario.eye.lens = lens;
     let case = PaperCase::new(&scenario.check().unwrap());
@@ -63,10 +56,7 @@ fn found(blow: &ForcePulse, level: u32, lens: Lens) -> Found {
 
 fn within(percent: f64, found: f64, wanted: f64, what: &str) {
     let off = 100.0 * (found / wanted - 1.0);
-    assert!(
-        off.abs() <= percent,
-        "{what}: {found} for {wanted}, {off:.2} %"
-    );
+    assert!(off.abs() <= percent, "{what}: {found} for {wanted}, {off:.2} %");
 }
 
 #[test]
@@ -129,25 +119,13 @@ fn at_level_1_the_lens_is_the_papers_unless_it_is_asked_for_by_area() {
     let [auto, nodes, area] = [Lens::Auto, Lens::Nodes, Lens::Area].map(|l| found(&blow, 1, l));
     assert_eq!(auto.damage, nodes.damage);
     within(0.5, area.damage, 4.301, "by area");
-    within(
-        1.0,
-        found(&pulse(300.0, 0.2), 1, Lens::Area).damage,
-        18.72,
-        "by area",
-    );
-    assert_eq!(
-        found(&blow, 2, Lens::Auto).damage,
-        found(&blow, 2, Lens::Area).damage
-    );
+    within(1.0, found(&pulse(300.0, 0.2), 1, Lens::Area).damage, 18.72, "by area");
+    assert_eq!(found(&blow, 2, Lens::Auto).damage, found(&blow, 2, Lens::Area).damage);
 }
 
 #[test]
 fn a_file_may_say_yes_or_no_to_the_lens() {
-    for (text, lens) in [
-        ("true", Lens::Auto),
-        ("false", Lens::Soft),
-        ("Area", Lens::Area),
-    ] {
+    for (text, lens) in [("true", Lens::Auto), ("false", Lens::Soft), ("Area", Lens::Area)] {
         let text = format!("(name: \"a\", impact: ForcePulse(), eye: (lens: {text}))");
         assert_eq!(parse(&text, "a").unwrap().eye.lens, lens);
     }

@@ -34,23 +34,13 @@ fn run_of(scenario: &CheckedScenario) -> (AxisymmetricCase, EngineRun) {
     };
     let mut watch = |_| ControlFlow::Continue(());
     let keep = Keep::default();
-    let run = run(
-        &case.eye,
-        &case.load,
-        case.window,
-        STEP_SHARE,
-        keep,
-        &mut watch,
-    );
+    let run = run(&case.eye, &case.load, case.window, STEP_SHARE, keep, &mut watch);
     let run = run.unwrap_or_else(|stop| panic!("{}: {stop:?}", scenario.name));
     (case, run)
 }
 
 fn mpa(extremes: &Extremes) -> (f64, f64) {
-    (
-        1e-6 * extremes.pressure.value,
-        1e-6 * extremes.scleral_stress.value,
-    )
+    (1e-6 * extremes.pressure.value, 1e-6 * extremes.scleral_stress.value)
 }
 
 #[test]
@@ -79,18 +69,12 @@ fn all_fly_at_the_axisymmetric_eye_fold_nothing_and_come_in_the_order_of_what_is
     ] {
         for pair in order.windows(2) {
             let (less, more) = (mpa(&ran[pair[0]]), mpa(&ran[pair[1]]));
-            assert!(
-                less.0 < more.0 && less.1 < more.1,
-                "{pair:?} {less:?} {more:?}"
-            );
+            assert!(less.0 < more.0 && less.1 < more.1, "{pair:?} {less:?} {more:?}");
         }
     }
     // A shuttlecock and a squash ball are about as bad; of neither is a burst the rule.
     let (shuttle, squash) = (mpa(&ran["shuttlecock"]).0, mpa(&ran["squash-ball"]).0);
-    assert!(
-        shuttle < squash * 1.05 && squash < BURST_MPA.0,
-        "{shuttle} {squash}"
-    );
+    assert!(shuttle < squash * 1.05 && squash < BURST_MPA.0, "{shuttle} {squash}");
     // Of the two speeds of a BB that were shot at eyes the slower is below the mean and the faster
     // near it.
     assert!(mpa(&ran["bb-56"]).0 < BURST_MPA.0 - BURST_MPA.1);
@@ -126,9 +110,7 @@ fn the_slower_baseball_with_the_softest_surface_may_spare_an_eye_and_the_faster_
         let (_, scenario) = objects().into_iter().find(|(n, _)| n == name).unwrap();
         let mut scenario = contrecoup::scenario::Scenario::from(scenario);
         if let Impact::Projectile(projectile) = &mut scenario.impact {
-            projectile.surface = Surface::Elastic {
-                modulus_mpa: modulus,
-            };
+            projectile.surface = Surface::Elastic { modulus_mpa: modulus };
         }
         mpa(&hit(&scenario.check().unwrap())).0
     };

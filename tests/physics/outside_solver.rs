@@ -103,11 +103,7 @@ fn breaks(blow: &ForcePulse) -> Vec<f64> {
             knots.map(|(time, _)| time / curve.last_ms()).collect()
         }
     };
-    inner
-        .into_iter()
-        .chain([1.0])
-        .map(|share| share * blow.duration_ms)
-        .collect()
+    inner.into_iter().chain([1.0]).map(|share| share * blow.duration_ms).collect()
 }
 
 impl Motion<'_> {
@@ -160,11 +156,7 @@ impl ODE<f64, Vec<f64>> for Motion<'_> {
                 loss += node.drag * speed * speed;
             }
         }
-        let power: f64 = self
-            .shares
-            .iter()
-            .map(|&(n, x, y)| x * v[2 * n] + y * v[2 * n + 1])
-            .sum();
+        let power: f64 = self.shares.iter().map(|&(n, x, y)| x * v[2 * n] + y * v[2 * n + 1]).sum();
         dydt[2 * count] = 1e-3 * power * force(self.blow, self.inside, t);
         dydt[2 * count + 1] = 1e-3 * loss;
     }
@@ -263,16 +255,10 @@ fn outside(eye: &Eye, blow: &ForcePulse, times: &[f64]) -> Outside {
     for stop in stops {
         // An edge of no length has its break at the start.
         if stop > start {
-            let motion = Motion {
-                eye,
-                blow,
-                shares: shares(eye, blow),
-                inside: 0.5 * (start + stop),
-            };
-            let method = ExplicitRungeKutta::dop853()
-                .rtol(TOLERANCE)
-                .atol(TOLERANCE)
-                .max_steps(1_000_000);
+            let motion =
+                Motion { eye, blow, shares: shares(eye, blow), inside: 0.5 * (start + stop) };
+            let method =
+                ExplicitRungeKutta::dop853().rtol(TOLERANCE).atol(TOLERANCE).max_steps(1_000_000);
             let solution = IVP::ode(&motion, start, stop, y.clone())
                 .method(method)
                 .solve()
@@ -375,10 +361,7 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
         local_tolerance: LOCAL_TOLERANCE,
     };
     let k = f64::from(level);
-    for (integrator, step) in [
-        (Integrator::Srkn6b, 2e-7 / k),
-        (Integrator::Srkn11b, 6e-7 / k),
-    ] {
+    for (integrator, step) in [(Integrator::Srkn6b, 2e-7 / k), (Integrator::Srkn11b, 6e-7 / k)] {
         for (time, y) in times.iter().zip(&found.states) {
             let off = disagreement(&case, &plan(integrator, step, *time), y, found.largest);
             println!(
@@ -401,11 +384,7 @@ fn agrees_at(name: &str, blow: &ForcePulse, filaments: bool, level: u32, window_
     // A whole run: its energy to the same agreement, its peaks no lower than any force seen
     // outside.
     let run = case
-        .record(
-            &plan(Integrator::Srkn6b, 2e-7 / k, last),
-            Keep::default(),
-            &mut unwatched,
-        )
+        .record(&plan(Integrator::Srkn6b, 2e-7 / k, last), Keep::default(), &mut unwatched)
         .unwrap();
     let extremes = run.extremes;
     let work = found.states[times.len() - 1][4 * case.eye.nodes.len()];
@@ -443,18 +422,8 @@ fn a_triangle_off_the_axis() {
 
 #[test]
 fn a_recorded_curve_that_waits_jumps_and_rings() {
-    let knots = [
-        (0.03, 0.2),
-        (0.05, 1.0),
-        (0.06, 0.7),
-        (0.17, 0.75),
-        (0.2, -0.3),
-        (0.26, 0.1),
-    ];
-    let mut blow = ForcePulse {
-        force_n: 200.0,
-        ..ForcePulse::default()
-    };
+    let knots = [(0.03, 0.2), (0.05, 1.0), (0.06, 0.7), (0.17, 0.75), (0.2, -0.3), (0.26, 0.1)];
+    let mut blow = ForcePulse { force_n: 200.0, ..ForcePulse::default() };
     blow.follow(Curve::new(knots).unwrap());
     blow.duration_ms = 0.24;
     agrees("table", &blow, true);

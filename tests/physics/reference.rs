@@ -117,17 +117,9 @@ fn agrees(row: &Row, answer: &Answer) {
     printed(apex.time * 1e3, row.apex.1, 1e-3, "apex time");
     printed(answer.index().shell_growth, row.shell, 1e-3, "S");
     printed(answer.index().meridian_growth, row.meridian, 1e-3, "M");
-    printed(
-        answer.index().energy,
-        row.energy,
-        unit(row.energy).max(1e-4),
-        "E",
-    );
+    printed(answer.index().energy, row.energy, unit(row.energy).max(1e-4), "E");
     printed(answer.index().damage(), row.damage, 1e-2, "damage");
-    for (found, wanted) in Quantity::FORCES
-        .map(|of| answer.peak(of).unwrap())
-        .iter()
-        .zip(row.peaks)
+    for (found, wanted) in Quantity::FORCES.map(|of| answer.peak(of).unwrap()).iter().zip(row.peaks)
     {
         let relative = (found.value / wanted - 1.0).abs();
         assert!(relative < 1e-3, "peak {} for {wanted}", found.value);
@@ -163,21 +155,14 @@ fn every_integrator_gives_the_stored_figures_with_a_step_small_enough() {
 #[test]
 fn a_mirrored_angle_gives_the_mirrored_result() {
     let at = |angle_deg| {
-        answer(&scenario(&Row {
-            angle_deg,
-            half_width_deg: 7.0,
-            ..head_on(250.0, 0.15)
-        }))
+        answer(&scenario(&Row { angle_deg, half_width_deg: 7.0, ..head_on(250.0, 0.15) }))
     };
     let (up, down) = (at(13.0), at(-13.0));
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     close(up.index().shell_growth, down.index().shell_growth);
     close(up.index().meridian_growth, down.index().meridian_growth);
     close(up.index().energy, down.index().energy);
-    close(
-        up.result(Quantity::Apex).unwrap(),
-        down.result(Quantity::Apex).unwrap(),
-    );
+    close(up.result(Quantity::Apex).unwrap(), down.result(Quantity::Apex).unwrap());
     assert!(
         (up.result(Quantity::ForceTop).unwrap() - down.result(Quantity::ForceTop).unwrap()).abs()
             > 0.1
@@ -196,10 +181,7 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
         assert!(half.system.mirrored() && !whole.system.mirrored());
         let run = |case: &PaperCase| {
             let plan = case.plan(&scenario).unwrap();
-            let keep = Keep {
-                traces: true,
-                frames: Some(Spacing::even(5e-5)),
-            };
+            let keep = Keep { traces: true, frames: Some(Spacing::even(5e-5)) };
             case.run(&plan, keep, &mut unwatched).unwrap()
         };
         let (a, b) = (run(&half), run(&whole));
@@ -212,11 +194,8 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
         }
         assert!((a.energy_residual - b.energy_residual).abs() < 1e-9);
         let (s, t) = (a.traces.unwrap(), b.traces.unwrap());
-        for (p, q) in [
-            (s.kinetic, t.kinetic),
-            (s.elastic, t.elastic),
-            (s.dissipated, t.dissipated),
-        ] {
+        for (p, q) in [(s.kinetic, t.kinetic), (s.elastic, t.elastic), (s.dissipated, t.dissipated)]
+        {
             for (x, y) in p.iter().zip(&q) {
                 assert!((x - y).abs() < 1e-10, "{x} {y}");
             }
@@ -235,10 +214,7 @@ fn the_whole_eye_and_its_mirrored_half_agree() {
 #[test]
 fn the_front_node_shows_the_papers_two_peaks() {
     let scenario = scenario(&head_on(100.0, 0.2));
-    let keep = Keep {
-        traces: true,
-        frames: None,
-    };
+    let keep = Keep { traces: true, frames: None };
     let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     let traces = answer.run.traces.unwrap();
     let largest = |from: f64, to: f64| {
@@ -250,15 +226,9 @@ fn the_front_node_shows_the_papers_two_peaks() {
             .map(|(_, f)| *f)
             .fold(0.0, f64::max)
     };
-    let (rise, between, fall) = (
-        largest(0.0, 4e-5),
-        largest(9e-5, 1.6e-4),
-        largest(1.8e-4, 2.4e-4),
-    );
-    assert!(
-        rise > 1.3 * between && fall > 1.3 * between,
-        "{rise} {between} {fall}"
-    );
+    let (rise, between, fall) =
+        (largest(0.0, 4e-5), largest(9e-5, 1.6e-4), largest(1.8e-4, 2.4e-4));
+    assert!(rise > 1.3 * between && fall > 1.3 * between, "{rise} {between} {fall}");
 }
 
 #[test]
@@ -275,11 +245,8 @@ fn energies_add_up_and_nothing_is_flagged_in_the_papers_range() {
 #[test]
 fn a_folded_mesh_is_flagged_with_its_time() {
     let answer = answer(&scenario(&head_on(3000.0, 0.2)));
-    let flag = answer
-        .flags
-        .iter()
-        .find(|f| f.kind == FlagKind::MeshFolded)
-        .expect("3 kN folds the mesh");
+    let flag =
+        answer.flags.iter().find(|f| f.kind == FlagKind::MeshFolded).expect("3 kN folds the mesh");
     assert!(flag.message.contains("beyond the model's validity"));
     let time = flag.time.unwrap();
     assert!(time > 0.0 && time < 3e-3);
@@ -287,10 +254,9 @@ fn a_folded_mesh_is_flagged_with_its_time() {
 
 #[test]
 fn a_mesh_that_opens_again_is_told_from_one_that_stays_folded() {
-    for (force, stays, says) in [
-        (1000.0, false, "and open again at the end"),
-        (1200.0, true, "and still at the end"),
-    ] {
+    for (force, stays, says) in
+        [(1000.0, false, "and open again at the end"), (1200.0, true, "and still at the end")]
+    {
         let answer = answer(&scenario(&head_on(force, 0.2)));
         let fold = answer.run.fold.expect("1 kN folds the mesh");
         assert_eq!(fold.stays, stays, "{fold:?}");
@@ -302,10 +268,7 @@ fn a_mesh_that_opens_again_is_told_from_one_that_stays_folded() {
         let flag = &answer.flags[0];
         assert_eq!(flag.kind, FlagKind::MeshFolded);
         assert!(flag.whole().contains(says), "{}", flag.whole());
-        assert!(
-            flag.message
-                .contains(&format!("{} of {} quads", fold.quads, fold.of))
-        );
+        assert!(flag.message.contains(&format!("{} of {} quads", fold.quads, fold.of)));
     }
 }
 
@@ -335,20 +298,14 @@ fn stopping_early_changes_no_result_in_random_scenes() {
         scenario.eye.level = level;
         let case = PaperCase::new(&scenario.check().unwrap());
         let plan = case.plan(&scenario).unwrap();
-        let whole = Keep {
-            traces: true,
-            frames: None,
-        };
+        let whole = Keep { traces: true, frames: None };
         let early = case.run(&plan, Keep::default(), &mut unwatched).unwrap();
         let full = case.run(&plan, whole, &mut unwatched).unwrap();
         assert_eq!(early.readings, full.readings, "scene {index}");
         assert_eq!(early.details, full.details, "scene {index}");
         assert_eq!(early.fold, full.fold, "scene {index}");
         assert!(early.cost.steps <= full.cost.steps);
-        assert!(
-            full.simulated > 2.999_999e-3,
-            "traces are kept to the end of the window"
-        );
+        assert!(full.simulated > 2.999_999e-3, "traces are kept to the end of the window");
         stopped[level as usize - 1] += usize::from(early.simulated < 2.9e-3);
     }
     assert!(

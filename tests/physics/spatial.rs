@@ -60,17 +60,9 @@ fn a_left_eye_is_the_mirror_image_of_a_right_one() {
     let right = run("bb-62", &FROM_BELOW_AND_TEMPLE);
     let left = run(
         "bb-62",
-        &[
-            ("model.eye_side", "Left"),
-            FROM_BELOW_AND_TEMPLE[0],
-            ("impact.angle_clock", "4.5"),
-        ],
+        &[("model.eye_side", "Left"), FROM_BELOW_AND_TEMPLE[0], ("impact.angle_clock", "4.5")],
     );
-    for of in [
-        Quantity::Pressure,
-        Quantity::EquatorStretch,
-        Quantity::EdgeGrowth,
-    ] {
+    for of in [Quantity::Pressure, Quantity::EquatorStretch, Quantity::EdgeGrowth] {
         let (a, b) = (right.values[of].unwrap(), left.values[of].unwrap());
         assert!((a / b - 1.0).abs() < 1e-6, "{of:?} {a} {b}");
     }
@@ -175,15 +167,8 @@ fn half_of_the_eye_is_the_whole_where_their_meshes_lie_alike_and_else_within_its
 #[test]
 fn what_does_not_fit_the_holder_of_the_gelatin_is_refused_by_the_eye_without_one() {
     let changes = [("model.support", "Gelatin"), ("impact.angle_deg", "20")];
-    for (name, refused) in [
-        ("squash-ball", true),
-        ("champagne-cork", true),
-        ("paintball", false),
-    ] {
-        let problem = scene(name, &changes)
-            .check()
-            .err()
-            .map(|error| error.to_string());
+    for (name, refused) in [("squash-ball", true), ("champagne-cork", true), ("paintball", false)] {
+        let problem = scene(name, &changes).check().err().map(|error| error.to_string());
         let named = problem.is_some_and(|p| p.contains("impact.diameter_mm") && p.contains("25.7"));
         assert_eq!(named, refused, "{name}");
     }

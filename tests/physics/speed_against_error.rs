@@ -13,9 +13,7 @@ fn a_quick_answer_has_no_mesh_error_and_says_what_its_ranges_leave_out() {
     let missing = quick["risks_without"].as_array().unwrap();
     assert_eq!(missing, &["the mesh", "the inputs"]);
     let with = json(&["run", "paper-300n"]);
-    let damage = with["error"]["mesh_percent_by_result"]["damage_percent"]
-        .as_f64()
-        .unwrap();
+    let damage = with["error"]["mesh_percent_by_result"]["damage_percent"].as_f64().unwrap();
     // Levels 4 to 8 say that level 1 is 28 to 29 % off.
     assert!((29.0..40.0).contains(&damage), "{damage}");
     assert!(with["error"]["mesh_percent"].as_f64().unwrap() >= damage);
@@ -32,11 +30,7 @@ fn a_tolerance_chooses_the_coarsest_level_that_meets_it_and_says_why() {
         let total = error("time_step_percent_by_result") + error("mesh_percent_by_result");
         assert!(total <= tolerance, "{total}");
         let reasons = object["numerics"]["choice"].as_array().unwrap();
-        assert!(
-            reasons
-                .iter()
-                .any(|r| r.as_str().unwrap().contains("mesh error"))
-        );
+        assert!(reasons.iter().any(|r| r.as_str().unwrap().contains("mesh error")));
     }
     // What is promised holds against a finer mesh.
     let damage = fine["results"]["damage_percent"].as_f64().unwrap();
@@ -49,12 +43,8 @@ fn a_tolerance_that_no_level_meets_is_refused() {
         .assert()
         .code(1)
         .stderr(contains("no result within 10 %").and(contains("folds")));
-    program(&["run", "paper-300n", "--tolerance", "0"])
-        .assert()
-        .code(2);
-    program(&["run", "paper-300n", "--tolerance", "5", "--level", "2"])
-        .assert()
-        .code(2);
+    program(&["run", "paper-300n", "--tolerance", "0"]).assert().code(2);
+    program(&["run", "paper-300n", "--tolerance", "5", "--level", "2"]).assert().code(2);
 }
 
 #[test]
@@ -83,13 +73,7 @@ fn accuracy_reports_every_level_and_integrator_the_front_and_the_cheapest() {
             let is = |t: &&Value| t["integrator"] == integrator && t["level"] == level;
             trials.iter().filter(is).collect()
         };
-        for integrator in [
-            "semi-implicit-euler",
-            "velocity-verlet",
-            "srkn6b",
-            "srkn11b",
-            "rk4",
-        ] {
+        for integrator in ["semi-implicit-euler", "velocity-verlet", "srkn6b", "srkn11b", "rk4"] {
             assert!(of(integrator).len() >= 3, "{integrator}");
         }
         // The paper's scheme is first order, the default fourth: at their largest steps it shows.
@@ -102,11 +86,7 @@ fn accuracy_reports_every_level_and_integrator_the_front_and_the_cheapest() {
     }
     let mesh_and_step =
         |t: &Value| number(t, "mesh_error_percent") + number(t, "step_error_percent");
-    assert!(
-        trials
-            .iter()
-            .all(|t| (error(t) / mesh_and_step(t) - 1.0).abs() < 1e-12)
-    );
+    assert!(trials.iter().all(|t| (error(t) / mesh_and_step(t) - 1.0).abs() < 1e-12));
     assert!(trials.iter().any(|t| t["on_front"] == true));
     let cheapest = object["cheapest"].as_array().unwrap();
     let named = cheapest.iter().filter_map(|best| {
@@ -119,11 +99,10 @@ fn accuracy_reports_every_level_and_integrator_the_front_and_the_cheapest() {
         assert!(error(&trials[at]) <= percent);
         assert!(trials[..at].iter().all(|faster| error(faster) > percent));
     }
-    program(&arguments).assert().success().stdout(
-        contains("kernel")
-            .and(contains("mesh error"))
-            .and(contains("for 50 %: level ")),
-    );
+    program(&arguments)
+        .assert()
+        .success()
+        .stdout(contains("kernel").and(contains("mesh error")).and(contains("for 50 %: level ")));
     program(&["accuracy", "paper-300n", "--result", "apex"])
         .assert()
         .code(2)

@@ -42,17 +42,9 @@ impl Observer for Log {
 }
 
 fn no_load() -> (Pulse, ArcLoad) {
-    let input = ForcePulse {
-        force_n: 0.0,
-        duration_ms: 1e-4,
-        ..ForcePulse::default()
-    };
-    let load = ArcLoad {
-        shares: Vec::new(),
-        direction: Vector2::x(),
-        shielded: 0.0,
-        arc: (0.0, 0.1),
-    };
+    let input = ForcePulse { force_n: 0.0, duration_ms: 1e-4, ..ForcePulse::default() };
+    let load =
+        ArcLoad { shares: Vec::new(), direction: Vector2::x(), shielded: 0.0, arc: (0.0, 0.1) };
     (Pulse::new(&input), load)
 }
 
@@ -65,11 +57,7 @@ fn chain(free: &[bool], drag: f64) -> Eye {
     let node = |(i, &free): (usize, &bool)| Node {
         grid: (i, 1),
         position: Point2::new(i as f64 * LENGTH, 0.0),
-        region: if free {
-            Region::Interior
-        } else {
-            Region::Orbit
-        },
+        region: if free { Region::Interior } else { Region::Orbit },
         mass: MASS,
         drag,
     };
@@ -121,13 +109,7 @@ fn free_motion(
         }
     }
     let mut log = Log::default();
-    let plan = Plan {
-        integrator,
-        step,
-        window,
-        multiple: 1.0,
-        local_tolerance: LOCAL_TOLERANCE,
-    };
+    let plan = Plan { integrator, step, window, multiple: 1.0, local_tolerance: LOCAL_TOLERANCE };
     march(&system, &plan, &mut state, &mut log).unwrap();
     (system, state, log)
 }
@@ -166,20 +148,13 @@ fn two_masses_swing_against_each_other_at_the_closed_form() {
     let window = 2e-4;
     for &integrator in Integrator::ALL {
         let (system, state, _) = free_motion(&eye, integrator, 1e-8, window, |i| {
-            (
-                Vector2::new(if i == 0 { -1e-5 } else { 1e-5 }, 0.0),
-                Vector2::zeros(),
-            )
+            (Vector2::new(if i == 0 { -1e-5 } else { 1e-5 }, 0.0), Vector2::zeros())
         });
         let omega = (2.0 * STIFFNESS / MASS).sqrt();
         let exact = LENGTH + 2e-5 * (omega * window).cos();
         let at = |i| state.position(system.place(i)).x;
         let found = at(1) - at(0);
-        let tolerance = if integrator.method().order == 1 {
-            1e-3
-        } else {
-            1e-7
-        };
+        let tolerance = if integrator.method().order == 1 { 1e-3 } else { 1e-7 };
         assert!((found - exact).abs() < tolerance * 2e-5, "{integrator:?}");
         assert!((at(0) + at(1) - LENGTH).abs() < 1e-15);
     }
@@ -213,10 +188,7 @@ fn end_state(integrator: Integrator, step: f64, case: &PaperCase) -> State {
 
 #[test]
 fn halving_the_step_shows_each_integrators_order() {
-    let scenario = Scenario {
-        window_ms: Some(0.24),
-        ..Scenario::default()
-    };
+    let scenario = Scenario { window_ms: Some(0.24), ..Scenario::default() };
     let case = PaperCase::new(&scenario.check().unwrap());
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
     for &integrator in Integrator::ALL {
@@ -231,10 +203,7 @@ fn halving_the_step_shows_each_integrators_order() {
         let halved = position_error(integrator, step / 2.0, &fine, &case);
         let order = (coarse / halved).log2();
         let wanted = f64::from(integrator.method().order);
-        assert!(
-            (order - wanted).abs() < 0.35,
-            "{integrator:?}: order {order}"
-        );
+        assert!((order - wanted).abs() < 0.35, "{integrator:?}: order {order}");
     }
 }
 
@@ -248,10 +217,7 @@ fn a_jump_of_the_load_costs_no_order() {
     });
     let case = PaperCase::new(&scenario.check().unwrap());
     let fine = end_state(Integrator::Srkn11b, 1.25e-7, &case);
-    for (integrator, step) in [
-        (Integrator::VelocityVerlet, 5e-7),
-        (Integrator::Srkn6b, 2e-6),
-    ] {
+    for (integrator, step) in [(Integrator::VelocityVerlet, 5e-7), (Integrator::Srkn6b, 2e-6)] {
         let coarse = position_error(integrator, step, &fine, &case);
         let halved = position_error(integrator, step / 2.0, &fine, &case);
         let order = (coarse / halved).log2();
@@ -264,11 +230,8 @@ fn a_jump_of_the_load_costs_no_order() {
 
 /// The globe alone, without drag, floating free.
 fn floating_globe() -> Eye {
-    let mut eye = Eye::build(&EyeInput {
-        globe_drag_ns_m: 0.0,
-        fat_drag_ns_m: 0.0,
-        ..EyeInput::default()
-    });
+    let mut eye =
+        Eye::build(&EyeInput { globe_drag_ns_m: 0.0, fat_drag_ns_m: 0.0, ..EyeInput::default() });
     eye.springs.retain(|s| s.kind != SpringKind::Fat);
     eye
 }
@@ -277,10 +240,7 @@ fn momentum(eye: &Eye, system: &System, state: &State) -> (Vector2<f64>, f64) {
     let mut linear = Vector2::zeros();
     let mut angular = 0.0;
     for (i, node) in eye.nodes.iter().enumerate() {
-        let (p, v) = (
-            state.position(system.place(i)),
-            state.velocity(system.place(i)),
-        );
+        let (p, v) = (state.position(system.place(i)), state.velocity(system.place(i)));
         linear += v * node.mass;
         angular += node.mass * p.coords.perp(&v);
     }
@@ -364,10 +324,7 @@ proptest! {
 
 #[test]
 fn the_energy_residual_shrinks_with_the_order_of_the_method() {
-    let scenario = Scenario {
-        window_ms: Some(0.3),
-        ..Scenario::default()
-    };
+    let scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
     let case = PaperCase::new(&scenario.check().unwrap());
     let worst = |integrator, step| {
         let mut state = State::at_rest(&case.system);
@@ -397,11 +354,7 @@ fn the_energy_residual_shrinks_with_the_order_of_the_method() {
 fn without_drag_energy_stays_for_a_long_time() {
     let eye = floating_globe();
     let start = |i: usize| {
-        let speed = if eye.landmarks.apex.contains(&i) {
-            2.0
-        } else {
-            0.0
-        };
+        let speed = if eye.landmarks.apex.contains(&i) { 2.0 } else { 0.0 };
         (Vector2::zeros(), Vector2::new(speed, 0.0))
     };
     let (_, _, log) = free_motion(&eye, Integrator::Srkn6b, 2e-6, 20e-3, start);
@@ -430,9 +383,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
                 local_tolerance: LOCAL_TOLERANCE,
             };
             match march(&case.system, &plan, &mut state, &mut log) {
-                Ok(_) => log
-                    .end
-                    .map_or(f64::NAN, |s| (s.kinetic + s.elastic) / state.work),
+                Ok(_) => log.end.map_or(f64::NAN, |s| (s.kinetic + s.elastic) / state.work),
                 Err(_) => f64::INFINITY,
             }
         };
@@ -441,10 +392,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
         if !integrator.method().adaptive() {
             let above =
                 1.25 * integrator.method().stability_limit / (limit * case.system.omega_bound());
-            assert!(
-                energy(above) > 100.0,
-                "{integrator:?} is stable far above it"
-            );
+            assert!(energy(above) > 100.0, "{integrator:?} is stable far above it");
         }
     }
 }

@@ -64,17 +64,10 @@ fn oscillator(omega: f64, rate: f64) -> System {
             meridian_hats: Default::default(),
         },
     };
-    let pulse = Pulse::new(&ForcePulse {
-        force_n: 0.0,
-        duration_ms: 1e-9,
-        ..ForcePulse::default()
-    });
-    let load = ArcLoad {
-        shares: Vec::new(),
-        direction: Vector2::x(),
-        shielded: 0.0,
-        arc: (0.0, 0.1),
-    };
+    let pulse =
+        Pulse::new(&ForcePulse { force_n: 0.0, duration_ms: 1e-9, ..ForcePulse::default() });
+    let load =
+        ArcLoad { shares: Vec::new(), direction: Vector2::x(), shielded: 0.0, arc: (0.0, 0.1) };
     System::new(&eye, pulse, &load, true, true)
 }
 
@@ -104,11 +97,8 @@ fn growth(integrator: Integrator, omega: f64, rate: f64) -> f64 {
     let map = Matrix2::from_columns(&[a, b]);
     let (trace, determinant) = (map.trace(), map.determinant());
     let root = trace * trace / 4.0 - determinant;
-    let radius = if root < 0.0 {
-        determinant.abs().sqrt()
-    } else {
-        trace.abs() / 2.0 + root.sqrt()
-    };
+    let radius =
+        if root < 0.0 { determinant.abs().sqrt() } else { trace.abs() / 2.0 + root.sqrt() };
     radius.powf(1.0 / STEPS)
 }
 
@@ -124,10 +114,7 @@ fn below_its_limit_no_damped_oscillator_grows_and_above_it_one_does() {
             assert!(found < 1.0 + 2e-4, "{integrator:?} at {omega}: {found}");
         }
         if !integrator.method().adaptive() {
-            assert!(
-                growth(integrator, 1.01 * limit, 0.0) > 1.001,
-                "{integrator:?}"
-            );
+            assert!(growth(integrator, 1.01 * limit, 0.0) > 1.001, "{integrator:?}");
         }
     }
 }
@@ -141,10 +128,7 @@ fn the_gaps_of_the_compositions_are_where_they_are_said_to_be() {
         let gap = integrator.method().first_gap.unwrap();
         for i in 1..=40 {
             let omega = gap * f64::from(i) / 40.0;
-            assert!(
-                growth(integrator, omega, 0.0) < 1.0 + 2e-4,
-                "{integrator:?} at {omega}"
-            );
+            assert!(growth(integrator, omega, 0.0) < 1.0 + 2e-4, "{integrator:?} at {omega}");
         }
     }
 }
@@ -163,10 +147,7 @@ fn extreme_drag_is_solved_and_not_blown_up() {
     for settings in [
         &["eye.fat_drag_ns_m=1000"][..],
         &["eye.globe_drag_ns_m=1000"],
-        &[
-            "eye.globe_drag_ns_m=1000",
-            "numerics.integrator=VelocityVerlet",
-        ],
+        &["eye.globe_drag_ns_m=1000", "numerics.integrator=VelocityVerlet"],
         &[
             "eye.globe_drag_ns_m=10",
             "eye.sclera_kpa=0.001",
@@ -175,10 +156,7 @@ fn extreme_drag_is_solved_and_not_blown_up() {
             "eye.rest_kpa=0.001",
         ],
     ] {
-        let mut scenario = Scenario {
-            window_ms: Some(0.5),
-            ..Scenario::default()
-        };
+        let mut scenario = Scenario { window_ms: Some(0.5), ..Scenario::default() };
         for setting in settings {
             let (path, value) = setting.split_once('=').unwrap();
             set(&mut scenario, path, value).unwrap();
@@ -192,20 +170,14 @@ fn extreme_drag_is_solved_and_not_blown_up() {
 #[test]
 fn a_step_error_is_never_zero_because_both_runs_took_the_same_steps() {
     let mut scenario = Scenario::default();
-    for (path, value) in [
-        ("window_ms", "0.001"),
-        ("numerics.integrator", "SemiImplicitEuler"),
-    ] {
+    for (path, value) in [("window_ms", "0.001"), ("numerics.integrator", "SemiImplicitEuler")] {
         set(&mut scenario, path, value).unwrap();
     }
     let coarse = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     set(&mut scenario, "numerics.step_us", "0.0001").unwrap();
     let fine = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     let truth = (coarse.index().energy / fine.index().energy - 1.0).abs() * 100.0;
-    assert!(
-        coarse.errors.time_step[Quantity::Energy].unwrap() >= truth,
-        "{truth}"
-    );
+    assert!(coarse.errors.time_step[Quantity::Energy].unwrap() >= truth, "{truth}");
 }
 
 #[test]
@@ -225,18 +197,13 @@ fn stated_and_true(settings: &[(&str, &str)]) -> Vec<(f64, f64)> {
         set(&mut scenario, path, value).unwrap();
     }
     let answer = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
-    for (path, value) in [
-        ("numerics.integrator", "Srkn11b"),
-        ("numerics.step_us", "0.2"),
-    ] {
+    for (path, value) in [("numerics.integrator", "Srkn11b"), ("numerics.step_us", "0.2")] {
         set(&mut scenario, path, value).unwrap();
     }
     let fine = solve(&scenario.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
     let truth = answer.results().difference_percent(&fine.results());
     let stated = answer.errors.time_step;
-    let pairs = truth
-        .present()
-        .map(|(of, truth)| (stated[of].unwrap(), truth));
+    let pairs = truth.present().map(|(of, truth)| (stated[of].unwrap(), truth));
     pairs.collect()
 }
 

@@ -25,16 +25,8 @@ fn what_is_shipped_is_what_the_fit_finds() {
         assert!(agree(fit.end, shipped.end), "{fit:?}");
     }
     for input in &FITS.with_inputs {
-        let (_, powers) = WITH_CURVES
-            .iter()
-            .find(|(path, _)| *path == input.path)
-            .unwrap();
-        for (found, shipped) in input
-            .powers
-            .as_flattened()
-            .iter()
-            .zip(powers.as_flattened())
-        {
+        let (_, powers) = WITH_CURVES.iter().find(|(path, _)| *path == input.path).unwrap();
+        for (found, shipped) in input.powers.as_flattened().iter().zip(powers.as_flattened()) {
             assert!((found - shipped).abs() < 0.01, "{input:?}");
         }
     }
@@ -53,11 +45,7 @@ fn the_table_of_bbs_is_what_runs_give() {
 fn a_curve_without_one_kind_is_not_surprised_by_it() {
     for fit in &FITS.injuries {
         for kind in &fit.kinds {
-            assert!(
-                (0.02..0.98).contains(&kind.told_by_others),
-                "{:?} {kind:?}",
-                fit.injury
-            );
+            assert!((0.02..0.98).contains(&kind.told_by_others), "{:?} {kind:?}", fit.injury);
         }
     }
 }

@@ -35,11 +35,7 @@ fn unbroken(text: &str) -> String {
     let mut whole = String::new();
     for line in text.lines() {
         whole.push_str(if goes_on(line) { " " } else { "\n" });
-        whole.push_str(if goes_on(line) {
-            line.trim_start()
-        } else {
-            line
-        });
+        whole.push_str(if goes_on(line) { line.trim_start() } else { line });
     }
     whole.trim_start().to_owned() + "\n"
 }
@@ -81,10 +77,7 @@ fn figure(text: &str, at: usize) -> usize {
     };
     let after_digit = text[..at].ends_with(|c: char| c.is_ascii_digit());
     let sign = usize::from(text[at..].starts_with('-') && !after_digit);
-    let mut before = text[..at]
-        .trim_end_matches(|c: char| c.is_ascii_digit())
-        .chars()
-        .rev();
+    let mut before = text[..at].trim_end_matches(|c: char| c.is_ascii_digit()).chars().rev();
     let word = match before.next() {
         Some('-') => before.next().is_some_and(char::is_alphabetic),
         Some(before) => before.is_alphabetic(),
@@ -143,22 +136,12 @@ fn the_results_of_a_blow() {
     says("run_pulse_all", &["run", "paper-300n", "--all"]);
     says("run_projectile_all", &["run", "bb-56", "--all"]);
     says("refused_one_alone", &["compare", "bb-56"]);
-    says(
-        "refused_object_at_paper",
-        &["run", "bb-56", "--set", "model=Paper"],
-    );
+    says("refused_object_at_paper", &["run", "bb-56", "--set", "model=Paper"]);
 }
 
 #[test]
 fn blows_side_by_side() {
-    let of = [
-        "compare",
-        "paper-300n",
-        "bb-56",
-        "soccer-ball",
-        "--set",
-        "window_ms=0.3",
-    ];
+    let of = ["compare", "paper-300n", "bb-56", "soccer-ball", "--set", "window_ms=0.3"];
     let risk = ["--sort", "globe_rupture_percent"];
     says("compare", &[&of[..], &risk].concat());
     says("compare_md", &[&of[..], &["--md"]].concat());
@@ -167,13 +150,7 @@ fn blows_side_by_side() {
 #[test]
 fn thresholds() {
     let until = ["--until", "apex_displacement_mm = 2"];
-    let of = [
-        "threshold",
-        "paper-300n",
-        "--set",
-        "window_ms=0.3",
-        "--vary",
-    ];
+    let of = ["threshold", "paper-300n", "--set", "window_ms=0.3", "--vary"];
     for (name, vary) in [
         ("threshold", "impact.force_n=50:800"),
         ("threshold_twice", "impact.angle_deg"),
@@ -190,35 +167,16 @@ fn what_is_not_allowed_is_refused_in_words() {
         ("unknown_command", &["jump"]),
         ("renamed_command", &["coverage"]),
         ("unknown_preset", &["run", "paper-30n"]),
-        (
-            "unknown_field",
-            &["run", "paper-300n", "--set", "farce_n=1"],
-        ),
-        (
-            "out_of_range",
-            &[
-                "run",
-                "paper-300n",
-                "--set",
-                "impact.force_n=-1",
-                "--level",
-                "9",
-            ],
-        ),
-        (
-            "two_at_once",
-            &["run", "paper-300n", "--tolerance", "1", "--level", "2"],
-        ),
+        ("unknown_field", &["run", "paper-300n", "--set", "farce_n=1"]),
+        ("out_of_range", &["run", "paper-300n", "--set", "impact.force_n=-1", "--level", "9"]),
+        ("two_at_once", &["run", "paper-300n", "--tolerance", "1", "--level", "2"]),
         ("unfit_integrator", &["run", "bb-56", "--integrator", "rk4"]),
     ];
     for (name, arguments) in refused {
         compare(&format!("refused_{name}"), arguments, &said(arguments));
     }
     // How long a step may be comes from the mesh.
-    says(
-        "refused_unstable_step",
-        &["run", "paper-300n", "--step-us", "900"],
-    );
+    says("refused_unstable_step", &["run", "paper-300n", "--step-us", "900"]);
 }
 
 #[test]
@@ -235,10 +193,8 @@ fn without_ranks(text: &str) -> String {
         if paragraph.starts_with("What drives") {
             lines[1..].sort_unstable();
         }
-        let lines: Vec<&str> = lines
-            .iter()
-            .map(|line| line.trim_end_matches(['█', '│', ' ']))
-            .collect();
+        let lines: Vec<&str> =
+            lines.iter().map(|line| line.trim_end_matches(['█', '│', ' '])).collect();
         lines.join("\n")
     });
     paragraphs.collect::<Vec<String>>().join("\n\n")
@@ -254,15 +210,10 @@ fn many_runs() {
     let arguments = [&["sweep", "paper-300n"], &vary[..], &short[..]].concat();
     let text = said(&arguments);
     let (mark, table) = text.split_once(" of ").unwrap();
-    assert!(
-        mark.starts_with("# contrecoup sweep "),
-        "the hash of the command"
-    );
+    assert!(mark.starts_with("# contrecoup sweep "), "the hash of the command");
     // A sum of figures is a figure: the last cell of each row below the heading.
     let (heading, rows) = table.split_at(table.find("\n0,").unwrap());
-    let rows = rows
-        .lines()
-        .map(|row| row.rsplit_once(',').map_or(row, |(row, _)| row));
+    let rows = rows.lines().map(|row| row.rsplit_once(',').map_or(row, |(row, _)| row));
     let table = format!("{heading}{}", rows.collect::<Vec<_>>().join("\n"));
     compare("sweep", &arguments, &without_figures(&table));
 }

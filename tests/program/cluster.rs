@@ -54,17 +54,10 @@ fn eight_shards_by_gnu_parallel_with_two_killed_are_the_whole() {
     let folder = folder.path().canonicalize().unwrap();
     let mut jobs = Command::new("parallel");
     jobs.args(["--will-cite", "--retries=3", "-j2", APP]);
-    jobs.args(SWEEP)
-        .args(["--shard", "{}/8", "--out", "part-{}.csv", ":::"]);
+    jobs.args(SWEEP).args(["--shard", "{}/8", "--out", "part-{}.csv", ":::"]);
     jobs.args((1..=8).map(|i| i.to_string()));
-    jobs.current_dir(&folder)
-        .env("HOME", &folder)
-        .env("XDG_CONFIG_HOME", &folder);
-    let mut jobs = jobs
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
+    jobs.current_dir(&folder).env("HOME", &folder).env("XDG_CONFIG_HOME", &folder);
+    let mut jobs = jobs.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     let begun = Instant::now();
     let mut killed = HashSet::new();
     while killed.len() < 2 {
@@ -94,10 +87,7 @@ fn eight_shards_by_gnu_parallel_with_two_killed_are_the_whole() {
         .unwrap();
     let whole = Command::new(APP).args(SWEEP).output().unwrap();
     let whole = String::from_utf8(whole.stdout).unwrap();
-    let whole: Vec<&str> = whole
-        .lines()
-        .filter(|line| !line.starts_with(['#', 'r']))
-        .collect();
+    let whole: Vec<&str> = whole.lines().filter(|line| !line.starts_with(['#', 'r'])).collect();
     assert_eq!(whole.len(), 480);
     let together = String::from_utf8(together.stdout).unwrap();
     assert!(together.lines().eq(whole), "the parts are not the whole");

@@ -37,26 +37,19 @@ fn run(arguments: &[&str]) -> assert_cmd::assert::Assert {
 
 #[test]
 fn help_and_version_go_to_standard_output() {
-    run(&["--help"])
-        .success()
-        .stdout(contains("Research and education, not diagnosis.").count(1));
+    run(&["--help"]).success().stdout(contains("Research and education, not diagnosis.").count(1));
     let kernel = program::json(&["run", "paper-300n"])["numerics"]["kernel"].clone();
     let kernel = format!("kernel {})", kernel.as_str().unwrap());
     run(&["--version"]).success().stdout(
         starts_with(format!("contrecoup {} (commit ", env!("CARGO_PKG_VERSION")))
             .and(contains(kernel)),
     );
-    run(&["generate", "man"])
-        .success()
-        .stdout(contains("kernel ").not());
+    run(&["generate", "man"]).success().stdout(contains("kernel ").not());
 }
 
 #[test]
 fn without_a_command_it_says_what_to_run() {
-    run(&[])
-        .code(2)
-        .stdout(is_empty())
-        .stderr(contains("contrecoup run paper-300n"));
+    run(&[]).code(2).stdout(is_empty()).stderr(contains("contrecoup run paper-300n"));
 }
 
 #[test]
@@ -77,22 +70,12 @@ fn wrong_usage_ends_with_2() {
 #[test]
 fn presets_are_listed_with_their_titles() {
     run(&["presets"]).success().stdout(
-        contains("paper-300n ")
-            .and(contains("300 N for 0.2 ms"))
-            .and(contains("yours").not()),
+        contains("paper-300n ").and(contains("300 N for 0.2 ms")).and(contains("yours").not()),
     );
-    let json = run(&["presets", "--json"])
-        .success()
-        .get_output()
-        .stdout
-        .clone();
+    let json = run(&["presets", "--json"]).success().get_output().stdout.clone();
     let rows: serde_json::Value = serde_json::from_slice(&json).unwrap();
-    let names: Vec<_> = rows
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|row| row["name"].as_str().unwrap())
-        .collect();
+    let names: Vec<_> =
+        rows.as_array().unwrap().iter().map(|row| row["name"].as_str().unwrap()).collect();
     assert!(names.len() >= 10 && names.is_sorted(), "{names:?}");
 }
 
@@ -109,9 +92,10 @@ fn the_settings_are_printed_and_a_file_that_is_refused_ends_with_2() {
     fs::write(&file, "").unwrap();
     settings().success().stdout(printed);
     fs::write(&file, "(\n fps: 99,\n keys: (undo: \"s\"),\n)").unwrap();
-    settings().code(2).stdout(is_empty()).stderr(contains(
-        "config.ron:2:7: fps: 99 is out of range: allowed whole numbers 1 to 60",
-    ));
+    settings()
+        .code(2)
+        .stdout(is_empty())
+        .stderr(contains("config.ron:2:7: fps: 99 is out of range: allowed whole numbers 1 to 60"));
 }
 
 #[test]
@@ -122,16 +106,9 @@ fn a_threshold_is_found_and_a_question_without_sense_ends_with_2() {
     let at = json["crossings"][0]["at"].as_f64().unwrap();
     assert!((40.0..80.0).contains(&at), "{json}");
     assert_eq!(json["crossings"].as_array().unwrap().len(), 1);
-    run(&[
-        "threshold",
-        "bb-56",
-        "--vary",
-        "impact.speeed",
-        until[0],
-        until[1],
-    ])
-    .code(2)
-    .stderr(starts_with("--vary impact.speeed: there is no such field").and(contains("speed_m_s")));
+    run(&["threshold", "bb-56", "--vary", "impact.speeed", until[0], until[1]]).code(2).stderr(
+        starts_with("--vary impact.speeed: there is no such field").and(contains("speed_m_s")),
+    );
     run(&[&vary[..], &["--until", "rupture=50"]].concat())
         .code(2)
         .stderr(starts_with("--until").and(contains("globe_rupture_percent")));
@@ -146,30 +123,18 @@ fn a_preset_is_shown_as_it_stands() {
 
 #[test]
 fn an_unknown_preset_leads_to_the_nearest() {
-    for arguments in [
-        &["presets", "show", "paper-30n"],
-        &["run", "paper-30n", "--json"],
-    ] {
-        run(arguments)
-            .code(2)
-            .stderr(contains("did you mean").and(contains("paper-300n")));
+    for arguments in [&["presets", "show", "paper-30n"], &["run", "paper-30n", "--json"]] {
+        run(arguments).code(2).stderr(contains("did you mean").and(contains("paper-300n")));
     }
-    run(&["presets", "show", "../../etc/passwd"])
-        .code(2)
-        .stderr(contains("holds no path"));
+    run(&["presets", "show", "../../etc/passwd"]).code(2).stderr(contains("holds no path"));
     run(&["run", ".."]).code(2);
-    run(&["run", "\u{1b}[31m"])
-        .code(2)
-        .stderr(contains("\u{1b}").not());
+    run(&["run", "\u{1b}[31m"]).code(2).stderr(contains("\u{1b}").not());
 }
 
 #[test]
 fn a_preset_of_ones_own_takes_the_place_of_a_built_in_one() {
-    let config = config_with(&[
-        ("paper-300n.ron", OWN),
-        ("own.ron", OWN),
-        ("notes.txt", "no preset"),
-    ]);
+    let config =
+        config_with(&[("paper-300n.ron", OWN), ("own.ron", OWN), ("notes.txt", "no preset")]);
     let listed = program(config.path()).arg("presets").assert().success();
     listed.stdout(
         contains("My own blow  (yours)")
@@ -177,26 +142,18 @@ fn a_preset_of_ones_own_takes_the_place_of_a_built_in_one() {
             .and(contains("300 N for 0.2 ms\n").not())
             .and(contains("notes").not()),
     );
-    program(config.path())
-        .args(["presets", "show", "paper-300n"])
-        .assert()
-        .success()
-        .stdout(OWN);
+    program(config.path()).args(["presets", "show", "paper-300n"]).assert().success().stdout(OWN);
 }
 
 #[test]
 fn a_broken_preset_is_listed_with_its_error_and_leaves_the_others_alone() {
     let config = config_with(&[("broken.ron", "(name: 3)"), ("paper-300n.ron", "(")]);
     fs::create_dir(config.path().join("contrecoup/presets/folder.ron")).unwrap();
-    program(config.path())
-        .arg("presets")
-        .assert()
-        .success()
-        .stdout(
-            contains("broken.ron:1:8: name: 3 is not text")
-                .and(contains("paper-100n"))
-                .and(contains("is a directory")),
-        );
+    program(config.path()).arg("presets").assert().success().stdout(
+        contains("broken.ron:1:8: name: 3 is not text")
+            .and(contains("paper-100n"))
+            .and(contains("is a directory")),
+    );
     program(config.path())
         .args(["run", "paper-300n"])
         .assert()
@@ -220,12 +177,8 @@ fn files_and_presets_are_told_apart() {
         .assert()
         .code(2)
         .stderr("blow.ron:1:41: impact.force_n: -5 is out of range: allowed 0 to 100000 N\n");
-    run(&["run", "none.ron"])
-        .code(2)
-        .stderr("none.ron: there is no such file\n");
-    run(&["run", "./paper-300n"])
-        .code(2)
-        .stderr(contains("there is no such file"));
+    run(&["run", "none.ron"]).code(2).stderr("none.ron: there is no such file\n");
+    run(&["run", "./paper-300n"]).code(2).stderr(contains("there is no such file"));
 }
 
 #[test]
@@ -241,10 +194,7 @@ fn a_tolerance_takes_no_level_under_any_name() {
 fn flags_are_refused_in_the_words_of_the_registry() {
     let refused = |flags: &[&str], words: &str| {
         let arguments = [&["run", "paper-300n"], flags].concat();
-        run(&arguments)
-            .code(2)
-            .stdout(is_empty())
-            .stderr(starts_with(words.to_owned()));
+        run(&arguments).code(2).stdout(is_empty()).stderr(starts_with(words.to_owned()));
     };
     refused(
         &["--set", "impact.force_n=abc"],
@@ -254,10 +204,7 @@ fn flags_are_refused_in_the_words_of_the_registry() {
         &["--set", "impact.force_n=-1"],
         "--set impact.force_n=-1: -1 is out of range: allowed 0 to",
     );
-    refused(
-        &["--set", "eye=(level: 9)"],
-        "--set eye=(level: 9): eye.level: 9 is out of range",
-    );
+    refused(&["--set", "eye=(level: 9)"], "--set eye=(level: 9): eye.level: 9 is out of range");
     refused(
         &["--set", "farce_n=1"],
         "--set farce_n=1: there is no such field; did you mean impact.force_n?",
@@ -279,10 +226,7 @@ fn flags_are_refused_in_the_words_of_the_registry() {
         &["--set", "doubt={\"window_ms\": 0.1, \"window_ms\": 0.2}"],
         "--set doubt={\"window_ms\": 0.1, \"window_ms\": 0.2}: window_ms is given twice\n",
     );
-    refused(
-        &["--level", "9"],
-        "--level 9: 9 is out of range: allowed whole numbers 1 to 8",
-    );
+    refused(&["--level", "9"], "--level 9: 9 is out of range: allowed whole numbers 1 to 8");
     refused(&["--level", "-1"], "--level -1: -1 is not a whole number");
     refused(
         &["--integrator", "leapfrog"],
@@ -294,14 +238,7 @@ fn flags_are_refused_in_the_words_of_the_registry() {
     );
     // What nobody has set is not to blame: the step is as long as the stiffest spring lets it be.
     refused(
-        &[
-            "--level",
-            "8",
-            "--set",
-            "window=1000",
-            "--set",
-            "eye.sclera_kpa=1e8",
-        ],
+        &["--level", "8", "--set", "window=1000", "--set", "eye.sclera_kpa=1e8"],
         "window_ms: 1000 would take ",
     );
     refused(
@@ -309,28 +246,15 @@ fn flags_are_refused_in_the_words_of_the_registry() {
         "numerics.step_us: 0.000001 would take 3.000e9 steps, too many for half an hour: allowed from ",
     );
     refused(
-        &[
-            "--set",
-            "eye.sclera_kpa=1e8",
-            "--step-us",
-            "1",
-            "--level",
-            "8",
-        ],
+        &["--set", "eye.sclera_kpa=1e8", "--step-us", "1", "--level", "8"],
         "numerics.step_us: 1 is above the stability limit of srkn6b on this mesh: allowed up to 0.00",
     );
-    refused(
-        &["--step-us", "0"],
-        "--step-us 0: 0 is out of range: allowed Auto, or",
-    );
+    refused(&["--step-us", "0"], "--step-us 0: 0 is out of range: allowed Auto, or");
     refused(
         &["--set", "impact.angle_deg=60"],
         "paper-300n, as the flags change it, cannot be computed: impact.angle_deg: 60 is out of range, since bone",
     );
-    refused(
-        &["--level", "0"],
-        "--level 0: 0 is out of range: allowed whole numbers 1 to 8",
-    );
+    refused(&["--level", "0"], "--level 0: 0 is out of range: allowed whole numbers 1 to 8");
     refused(
         &["--set", "model=Physiological", "--level", "0"],
         "--level 0: 0 is out of range: allowed whole numbers 1 to 5",
@@ -340,20 +264,14 @@ fn flags_are_refused_in_the_words_of_the_registry() {
 #[test]
 fn completions_and_manual_pages_are_printed() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        run(&["generate", "completions", shell])
-            .success()
-            .stdout(contains("contrecoup"));
+        run(&["generate", "completions", shell]).success().stdout(contains("contrecoup"));
     }
     run(&["generate", "completions", "cmd"]).code(2);
-    run(&["generate", "man"])
-        .success()
-        .stdout(contains(".TH contrecoup 1"));
+    run(&["generate", "man"]).success().stdout(contains(".TH contrecoup 1"));
     run(&["generate", "man", "run"])
         .success()
         .stdout(contains("contrecoup\\-run").and(contains("\\-\\-set")));
-    run(&["generate", "man", "jump"])
-        .code(2)
-        .stderr(contains("there is no such command"));
+    run(&["generate", "man", "jump"]).code(2).stderr(contains("there is no such command"));
 }
 
 #[test]
@@ -362,26 +280,19 @@ fn one_line_installs_manual_pages_and_completions() {
     let into = folder.path().join("share");
     let into = into.to_str().unwrap();
     for _ in 0..2 {
-        run(&["generate", "into", into])
-            .success()
-            .stdout(contains("man/man1/contrecoup-run.1"));
+        run(&["generate", "into", into]).success().stdout(contains("man/man1/contrecoup-run.1"));
     }
     for (file, words) in [
         ("man/man1/contrecoup.1", ".TH contrecoup 1"),
         ("man/man1/contrecoup-compare.1", "FIELD=VALUE"),
         ("bash-completion/completions/contrecoup", "complete -F"),
         ("zsh/site-functions/_contrecoup", "#compdef contrecoup"),
-        (
-            "fish/vendor_completions.d/contrecoup.fish",
-            "complete -c contrecoup",
-        ),
+        ("fish/vendor_completions.d/contrecoup.fish", "complete -c contrecoup"),
     ] {
         let text = fs::read_to_string(format!("{into}/{file}")).unwrap();
         assert!(text.contains(words), "{file}");
     }
-    run(&["generate", "into", "/dev/null"])
-        .code(1)
-        .stderr(contains("cannot write"));
+    run(&["generate", "into", "/dev/null"]).code(1).stderr(contains("cannot write"));
 }
 
 #[test]
@@ -402,12 +313,7 @@ fn a_reader_that_stops_early_is_no_failure() {
             .unwrap();
         drop(child.stdout.take());
         let mut said = String::new();
-        child
-            .stderr
-            .take()
-            .unwrap()
-            .read_to_string(&mut said)
-            .unwrap();
+        child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
         assert!(child.wait().unwrap().success(), "{arguments:?}");
         assert_eq!(said, "", "{arguments:?}");
     }

@@ -52,12 +52,7 @@ fn licences_are_read_with_their_alternatives() {
     assert!(allowed("MIT OR GPL-3.0", &licences));
     assert!(allowed("Unlicense/MIT", &licences));
     assert!(allowed("(MIT OR Apache-2.0) AND Unicode-3.0", &licences));
-    for closed in [
-        "GPL-3.0",
-        "MIT AND GPL-3.0",
-        "(MIT OR Apache-2.0) AND OpenSSL",
-        "",
-    ] {
+    for closed in ["GPL-3.0", "MIT AND GPL-3.0", "(MIT OR Apache-2.0) AND OpenSSL", ""] {
         assert!(!allowed(closed, &licences), "{closed}");
     }
 }
@@ -73,22 +68,14 @@ fn every_crate_has_an_open_licence_and_comes_from_the_registry() {
         assert!(allowed(licence, &licences), "{name} is under {licence:?}");
         let source = text(package, "source");
         let registry = "registry+https://github.com/rust-lang/crates.io-index";
-        assert!(
-            source == registry || name == "contrecoup",
-            "{name} comes from {source:?}"
-        );
+        assert!(source == registry || name == "contrecoup", "{name} comes from {source:?}");
     }
 }
 
 #[test]
 fn the_program_holds_no_crate_twice() {
     let tree = |more: &str| {
-        let edges = [
-            "tree",
-            "--locked",
-            "--target=all",
-            "--edges=normal,no-proc-macro",
-        ];
+        let edges = ["tree", "--locked", "--target=all", "--edges=normal,no-proc-macro"];
         let output = Command::new(env!("CARGO"))
             .args(edges)
             .args(["--prefix=none", more])

@@ -31,13 +31,8 @@ fn root() -> &'static Path {
 /// Every page with figures in it.
 fn pages() -> Vec<PathBuf> {
     let guide = root().join("src/guide");
-    let pages = TOPICS
-        .iter()
-        .map(|topic| guide.join(topic.name).with_extension("md"));
-    [root().join("README.md")]
-        .into_iter()
-        .chain(pages)
-        .collect()
+    let pages = TOPICS.iter().map(|topic| guide.join(topic.name).with_extension("md"));
+    [root().join("README.md")].into_iter().chain(pages).collect()
 }
 
 fn read(page: &Path) -> String {
@@ -51,10 +46,7 @@ fn blocks(text: &str) -> Vec<(&str, std::ops::Range<usize>)> {
         let name = &text[at + BEGIN.len()..];
         let (name, content) = name.split_once(" -->\n").expect("a name");
         let begin = text.len() - content.len();
-        let end = begin
-            + content
-                .find(END)
-                .unwrap_or_else(|| panic!("{name} has no end"));
+        let end = begin + content.find(END).unwrap_or_else(|| panic!("{name} has no end"));
         (name, begin..end)
     };
     begins.map(block).collect()
@@ -62,9 +54,7 @@ fn blocks(text: &str) -> Vec<(&str, std::ops::Range<usize>)> {
 
 /// The figures in the content of a block.
 fn inner(content: &str) -> &str {
-    let inside = content
-        .strip_prefix("\n```text\n")
-        .and_then(|c| c.strip_suffix("```\n\n"));
+    let inside = content.strip_prefix("\n```text\n").and_then(|c| c.strip_suffix("```\n\n"));
     inside.unwrap_or_else(|| panic!("no block of text in\n{content}"))
 }
 
@@ -210,11 +200,7 @@ fn what_the_benchmark_prints_is_read_without_running_it() {
 #[test]
 fn the_readme_is_short_and_its_links_lead_somewhere() {
     let text = read(&root().join("README.md"));
-    assert!(
-        text.lines().count() <= 250,
-        "{} lines",
-        text.lines().count()
-    );
+    assert!(text.lines().count() <= 250, "{} lines", text.lines().count());
     let links = text.match_indices("](").map(|(at, _)| {
         let rest = &text[at + 2..];
         &rest[..rest.find(')').expect("a link ends")]
@@ -235,17 +221,9 @@ fn caution_is_said_once() {
 fn every_command_that_the_readme_names_is_one() {
     let text = read(&root().join("README.md"));
     let help = printed("contrecoup --help");
-    let known: Vec<&str> = help
-        .lines()
-        .filter_map(|line| line.split_whitespace().next())
-        .collect();
-    let named = text
-        .split('`')
-        .filter_map(|code| code.strip_prefix("contrecoup "));
+    let known: Vec<&str> = help.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let named = text.split('`').filter_map(|code| code.strip_prefix("contrecoup "));
     for command in named.filter_map(|code| code.split_whitespace().next()) {
-        assert!(
-            command.starts_with('-') || known.contains(&command),
-            "{command}"
-        );
+        assert!(command.starts_with('-') || known.contains(&command), "{command}");
     }
 }

@@ -47,9 +47,7 @@ fn from_env(name: &str, usual: u64) -> u64 {
 
 /// Tries what was found before, then whatever `make` makes until the time is over.
 fn campaign(name: &str, make: impl Fn(&mut Dice) -> Vec<u8>, check: impl Fn(&[u8])) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/finds")
-        .join(name);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/finds").join(name);
     let mut finds: Vec<PathBuf> = fs::read_dir(&folder)
         .map(|entries| entries.map(|entry| entry.unwrap().path()).collect())
         .unwrap_or_default();
@@ -184,19 +182,11 @@ fn assert_readable(error: &ScenarioError) {
 fn texts() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenarios");
     let files = ["good", "bad"].map(|kind| fs::read_dir(folder.join(kind)).unwrap());
-    let mut files: Vec<PathBuf> = files
-        .into_iter()
-        .flatten()
-        .map(|e| e.unwrap().path())
-        .collect();
+    let mut files: Vec<PathBuf> = files.into_iter().flatten().map(|e| e.unwrap().path()).collect();
     files.sort();
-    let texts = files
-        .iter()
-        .filter_map(|path| fs::read_to_string(path).ok());
+    let texts = files.iter().filter_map(|path| fs::read_to_string(path).ok());
     let presets = library::built_in();
-    texts
-        .chain(presets.iter().map(|p| p.text().unwrap().into_owned()))
-        .collect()
+    texts.chain(presets.iter().map(|p| p.text().unwrap().into_owned())).collect()
 }
 
 #[test]
@@ -215,10 +205,7 @@ fn scenarios() {
                 // Of more than are shown only the first have been looked for.
                 for problem in error.problems.iter().take(20) {
                     let line = problem.line.expect("a place");
-                    assert!(
-                        (1..=lines).contains(&line) && problem.column.is_some(),
-                        "{problem}"
-                    );
+                    assert!((1..=lines).contains(&line) && problem.column.is_some(), "{problem}");
                 }
             }
             Ok(scenario) => {
@@ -260,23 +247,15 @@ fn typed(dice: &mut Dice) -> String {
     let field = &FIELDS[dice.below(FIELDS.len())];
     let value = match &field.kind {
         Kind::OptionalNumber(..) if dice.below(4) == 0 => "auto".to_owned(),
-        Kind::Number(b, _) | Kind::OptionalNumber(b, _) => dice
-            .one(&[b.min, b.max, b.fine, b.min - b.fine, b.max * 2.0])
-            .to_string(),
+        Kind::Number(b, _) | Kind::OptionalNumber(b, _) => {
+            dice.one(&[b.min, b.max, b.fine, b.min - b.fine, b.max * 2.0]).to_string()
+        }
         Kind::Integer(min, max, _) => dice.one(&[*min, *max, max + 1]).to_string(),
         Kind::Choice(choices) => dice.one(&choices.names()).to_owned(),
         Kind::Integers(..) => "2, 3".to_owned(),
         Kind::Text(..) => "name".to_owned(),
     };
-    let groups = [
-        "eye",
-        "model",
-        "impact",
-        "doubt",
-        "numerics",
-        "impact.shape",
-        "impact.surface",
-    ];
+    let groups = ["eye", "model", "impact", "doubt", "numerics", "impact.shape", "impact.surface"];
     let path = match dice.below(8) {
         0 => dice.one(&groups),
         1 => field.path.rsplit('.').next().unwrap(),
@@ -291,11 +270,7 @@ fn settings() {
         let mut lines = String::new();
         for _ in 0..6 {
             let line = typed(dice);
-            let line = if dice.below(3) == 0 {
-                damaged(&line, dice)
-            } else {
-                line
-            };
+            let line = if dice.below(3) == 0 { damaged(&line, dice) } else { line };
             let _ = writeln!(lines, "{}", line.replace('\n', " "));
         }
         lines.into_bytes()
@@ -331,16 +306,8 @@ fn grids() {
         let mut lines = String::new();
         for _ in 0..=dice.below(3) {
             let line = typed(dice);
-            let more = dice.one(&[
-                "",
-                ":10:3",
-                ":0:2",
-                ",1",
-                ",soft",
-                ":1e9:100000",
-                ":2:1",
-                ", ,",
-            ]);
+            let more =
+                dice.one(&["", ":10:3", ":0:2", ",1", ",soft", ":1e9:100000", ":2:1", ", ,"]);
             let line = damaged(&format!("{line}{more}"), dice);
             let _ = writeln!(lines, "{}", line.replace('\n', " "));
         }
@@ -466,10 +433,7 @@ fn answered(app: &mut App, effects: Vec<Effect>) {
             } else {
                 Err(Refusal::Cancelled)
             };
-            update(
-                app,
-                Message::News(Report::done::<Simulate>(request.ticket, outcome)),
-            );
+            update(app, Message::News(Report::done::<Simulate>(request.ticket, outcome)));
         }
     }
 }
@@ -481,10 +445,8 @@ fn key_bytes() {
         let whole = parser.feed(input);
         // However the link cuts it up.
         let mut bytewise = Parser::default();
-        let pieces: Vec<TerminalInput> = input
-            .iter()
-            .flat_map(|byte| bytewise.feed(&[*byte]))
-            .collect();
+        let pieces: Vec<TerminalInput> =
+            input.iter().flat_map(|byte| bytewise.feed(&[*byte])).collect();
         assert_eq!(whole, pieces);
         let mut app = opened();
         let effects = begin(&mut app);
@@ -509,15 +471,9 @@ fn key_bytes() {
         }
         // From wherever it is, Ctrl-C leaves.
         let leave = parser.feed(b"\x03");
-        let [TerminalInput::Key(event)] = leave[..] else {
-            panic!("{leave:?}")
-        };
+        let [TerminalInput::Key(event)] = leave[..] else { panic!("{leave:?}") };
         let effects = update(&mut app, Message::Key(event));
-        assert!(
-            effects
-                .iter()
-                .any(|effect| matches!(effect, Effect::Quit(_)))
-        );
+        assert!(effects.iter().any(|effect| matches!(effect, Effect::Quit(_))));
     });
 }
 
@@ -530,11 +486,7 @@ fn replies_of_terminals() {
         // Frames since the last reply; a terminal that never answers has a budget instead.
         let (mut frames, mut answers) = (0, false);
         for byte in input {
-            let cause = if byte & 1 == 0 {
-                Cause::Replay
-            } else {
-                Cause::Event
-            };
+            let cause = if byte & 1 == 0 { Cause::Replay } else { Cause::Event };
             match byte % 5 {
                 0 => now += Duration::from_millis(u64::from(*byte) * 20),
                 1 => {

@@ -51,10 +51,8 @@ fn files(folder: &str) -> Vec<(PathBuf, String)> {
 /// A file of the library as a module, such as `["run", "flags"]`.
 fn module(file: &Path) -> Vec<String> {
     let names = file.with_extension("");
-    let mut names: Vec<String> = names
-        .iter()
-        .map(|name| name.to_str().unwrap().to_owned())
-        .collect();
+    let mut names: Vec<String> =
+        names.iter().map(|name| name.to_str().unwrap().to_owned()).collect();
     if names.last().is_some_and(|name| name == "mod") {
         names.pop();
     }
@@ -64,12 +62,8 @@ fn module(file: &Path) -> Vec<String> {
 /// Modules of the library with their code: neither comments nor tests.
 fn modules() -> BTreeMap<Vec<String>, String> {
     let code = |text: &str| {
-        let (code, _) = text
-            .split_once("#[cfg(test)]\nmod tests {")
-            .unwrap_or((text, ""));
-        let lines = code
-            .lines()
-            .filter(|line| !line.trim_start().starts_with("//"));
+        let (code, _) = text.split_once("#[cfg(test)]\nmod tests {").unwrap_or((text, ""));
+        let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
         lines.collect::<Vec<_>>().join("\n")
     };
     let is_test = |names: &[String]| names.iter().any(|name| name.ends_with("tests"));
@@ -151,23 +145,15 @@ fn imports() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
     let elsewhere = handed_on(&modules);
     let of = |(from, code): (&Vec<String>, &String)| {
         let handed = |line: &&str| !line.starts_with("pub use ");
-        let code: String = code
-            .split(';')
-            .map(str::trim_start)
-            .filter(handed)
-            .collect::<Vec<_>>()
-            .join(";\n");
+        let code: String =
+            code.split(';').map(str::trim_start).filter(handed).collect::<Vec<_>>().join(";\n");
         let whole = named(&code, "crate::").into_iter();
         // Further in it stands for a module within the file.
-        let tops: String = code
-            .lines()
-            .filter(|line| !line.starts_with(' '))
-            .collect::<Vec<_>>()
-            .join("\n");
+        let tops: String =
+            code.lines().filter(|line| !line.starts_with(' ')).collect::<Vec<_>>().join("\n");
         let above = &from[..from.len() - 1];
-        let above = named(&tops, "super::")
-            .into_iter()
-            .map(|path| format!("{}::{path}", above.join("::")));
+        let above =
+            named(&tops, "super::").into_iter().map(|path| format!("{}::{path}", above.join("::")));
         let held = |path: String| {
             let names: Vec<&str> = path.split("::").collect();
             let known =
@@ -187,12 +173,7 @@ fn imports() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
 #[test]
 fn trees_of_imports_are_spread() {
     let code = "use crate::run::{flags, kept::{Keep, Spacing}};\nlet x = crate::files::open(y);";
-    let all = [
-        "run::flags",
-        "run::kept::Keep",
-        "run::kept::Spacing",
-        "files::open",
-    ];
+    let all = ["run::flags", "run::kept::Keep", "run::kept::Spacing", "files::open"];
     assert_eq!(named(code, "crate::"), all);
 }
 
@@ -206,10 +187,7 @@ fn a_lower_room_imports_no_higher_one() {
     assert!(imports.len() > 250);
     for (from, others) in &imports {
         for other in others.iter().filter(|other| other[0] != from[0]) {
-            assert!(
-                floor(&from[0]) > floor(&other[0]),
-                "{from:?} imports {other:?}"
-            );
+            assert!(floor(&from[0]) > floor(&other[0]), "{from:?} imports {other:?}");
         }
     }
 }
@@ -254,14 +232,9 @@ fn few_names_of_public_types_stand_more_than_once() {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for code in modules().values() {
         for line in code.lines() {
-            let rest = kinds
-                .iter()
-                .find_map(|kind| line.trim_start().strip_prefix(kind));
-            let name = |rest: &str| {
-                rest.split(|c: char| !c.is_alphanumeric())
-                    .next()
-                    .map(str::to_owned)
-            };
+            let rest = kinds.iter().find_map(|kind| line.trim_start().strip_prefix(kind));
+            let name =
+                |rest: &str| rest.split(|c: char| !c.is_alphanumeric()).next().map(str::to_owned);
             if let Some(name) = rest.and_then(name) {
                 *counts.entry(name).or_default() += 1;
             }

@@ -13,17 +13,13 @@ fn example(name: &str) -> String {
     if !cfg!(feature = "app") {
         cargo.arg("--no-default-features");
     }
-    let output = cargo
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .unwrap();
+    let output = cargo.current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
     assert!(output.status.success(), "{output:?}");
     String::from_utf8(output.stdout).unwrap()
 }
 
 fn number(text: &str) -> f64 {
-    text.parse()
-        .unwrap_or_else(|_| panic!("{text} is no number"))
+    text.parse().unwrap_or_else(|_| panic!("{text} is no number"))
 }
 
 #[test]
@@ -36,10 +32,7 @@ fn the_readme_shows_the_example_that_the_first_page_of_the_library_runs() {
     };
     let code = code.lines().map(plain).collect::<Vec<_>>().join("\n");
     let readme = include_str!("../../README.md");
-    assert!(
-        readme.contains(&format!("```rust\n{code}\n```\n")),
-        "{code}"
-    );
+    assert!(readme.contains(&format!("```rust\n{code}\n```\n")), "{code}");
 }
 
 #[test]
@@ -50,17 +43,11 @@ fn one_blow_prints_each_result_with_both_errors() {
     assert!(lines.next().unwrap().starts_with("result"));
     let damage = lines.next().unwrap();
     let cells: Vec<&str> = damage.split_whitespace().collect();
-    let ["damage", "index", value, step, "%", mesh, "%"] = cells[..] else {
-        panic!("{damage}")
-    };
+    let ["damage", "index", value, step, "%", mesh, "%"] = cells[..] else { panic!("{damage}") };
     assert!((20.0..30.0).contains(&number(value)));
     assert!((0.0..0.1).contains(&number(step)));
     assert!((1.0..40.0).contains(&number(mesh)));
-    assert!(
-        lines
-            .next()
-            .is_some_and(|line| line.starts_with("wall growth S"))
-    );
+    assert!(lines.next().is_some_and(|line| line.starts_with("wall growth S")));
 }
 
 #[test]

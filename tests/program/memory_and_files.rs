@@ -28,9 +28,8 @@ fn limited(limits: &str, arguments: &[&str]) -> Command {
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> = entries
-        .map(|e| e.unwrap().file_name().into_string().unwrap())
-        .collect();
+    let mut names: Vec<String> =
+        entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
     names
 }
@@ -50,9 +49,7 @@ fn a_huge_file_of_something_else_is_refused_by_its_first_bytes() {
     // Holes take no disk; reading them would take 8 GB of memory.
     File::create(&path).unwrap().set_len(8 << 30).unwrap();
     let out = ["--out", path.to_str().unwrap()];
-    let refused = limited("ulimit -d 200000", &[&SWEEP[..], &out].concat())
-        .output()
-        .unwrap();
+    let refused = limited("ulimit -d 200000", &[&SWEEP[..], &out].concat()).output().unwrap();
     failed(&refused, 2, "holds something else");
     assert_eq!(path.metadata().unwrap().len(), 8 << 30);
 
@@ -60,15 +57,8 @@ fn a_huge_file_of_something_else_is_refused_by_its_first_bytes() {
     let sound = folder.path().join("sound.csv");
     let out = ["--out", sound.to_str().unwrap()];
     program(&[&SWEEP[..], &out].concat()).assert().success();
-    File::options()
-        .write(true)
-        .open(&sound)
-        .unwrap()
-        .set_len(8 << 30)
-        .unwrap();
-    let refused = limited("ulimit -d 200000", &[&SWEEP[..], &out].concat())
-        .output()
-        .unwrap();
+    File::options().write(true).open(&sound).unwrap().set_len(8 << 30).unwrap();
+    let refused = limited("ulimit -d 200000", &[&SWEEP[..], &out].concat()).output().unwrap();
     failed(&refused, 2, "line 8");
 }
 
@@ -101,11 +91,8 @@ fn rows_that_nobody_reads_hold_the_work_up() {
         "--vary",
         "window_ms=0.01,0.011",
     ];
-    let arguments = [
-        &arguments[..],
-        &["--set", "impact.duration_ms=0.01", "--step-us", "5"],
-    ]
-    .concat();
+    let arguments =
+        [&arguments[..], &["--set", "impact.duration_ms=0.01", "--step-us", "5"]].concat();
     let mut child = Command::new(env!("CARGO_BIN_EXE_contrecoup"))
         .args(arguments)
         .stdout(Stdio::piped())
@@ -124,10 +111,7 @@ fn rows_that_nobody_reads_hold_the_work_up() {
         sleep(Duration::from_millis(700));
         assert!(begun.elapsed() < PATIENCE);
     }
-    assert!(
-        child.try_wait().unwrap().is_none(),
-        "it waits for its reader"
-    );
+    assert!(child.try_wait().unwrap().is_none(), "it waits for its reader");
     let used = ticks(&child);
     assert!(used < 1500, "{used} ticks for a thousand rows");
     child.kill().unwrap();
@@ -140,13 +124,7 @@ fn an_interrupted_export_leaves_no_file_and_a_killed_one_goes_at_the_next() {
     let target = folder.path().join("frames.csv");
     let start = || {
         let mut command = Command::new(env!("CARGO_BIN_EXE_contrecoup"));
-        let arguments = [
-            "export",
-            "paper-300n",
-            "--level=6",
-            "--every-us=1",
-            "--frames",
-        ];
+        let arguments = ["export", "paper-300n", "--level=6", "--every-us=1", "--frames"];
         command.args(arguments).arg(&target).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
         let begun = Instant::now();
@@ -157,9 +135,7 @@ fn an_interrupted_export_leaves_no_file_and_a_killed_one_goes_at_the_next() {
         child
     };
     let tell = |child: &Child, signal: &str| {
-        let status = Command::new("kill")
-            .args([signal, &child.id().to_string()])
-            .status();
+        let status = Command::new("kill").args([signal, &child.id().to_string()]).status();
         assert!(status.unwrap().success());
     };
     for signal in ["-TERM", "-HUP", "-INT"] {
@@ -174,9 +150,7 @@ fn an_interrupted_export_leaves_no_file_and_a_killed_one_goes_at_the_next() {
     assert_eq!(child.wait_with_output().unwrap().status.signal(), Some(9));
     assert_eq!(names(folder.path()).len(), 1);
     let traces = folder.path().join("traces.csv");
-    program(&["export", "paper-300n", "--traces", traces.to_str().unwrap()])
-        .assert()
-        .success();
+    program(&["export", "paper-300n", "--traces", traces.to_str().unwrap()]).assert().success();
     assert_eq!(names(folder.path()), ["traces.csv"]);
 }
 
@@ -193,22 +167,12 @@ fn two_outputs_on_one_file_are_refused_however_it_is_written() {
         ("b.csv", "link.csv"),
         ("/dev/stdout", "/dev/./stdout"),
     ] {
-        let arguments = [
-            "export",
-            "paper-300n",
-            "--frames",
-            frames,
-            "--traces",
-            traces,
-        ];
+        let arguments = ["export", "paper-300n", "--frames", frames, "--traces", traces];
         let mut command = program(&arguments);
         let output = command.current_dir(folder.path()).output().unwrap();
         failed(&output, 2, "name the same file");
     }
-    assert_eq!(
-        fs::read_to_string(folder.path().join("b.csv")).unwrap(),
-        "old"
-    );
+    assert_eq!(fs::read_to_string(folder.path().join("b.csv")).unwrap(), "old");
 }
 
 #[test]
@@ -220,21 +184,14 @@ fn a_full_disk_and_a_limit_on_files_give_a_message_and_a_code() {
     let export = ["export", "paper-300n", "--traces", &export];
     let sweep = [&SWEEP[..], &["--out", &sweep]].concat();
     // A block of 512 bytes is less than either writes.
-    for (arguments, name) in [
-        (&export[..], "x.csv"),
-        (&sweep, "y.csv"),
-        (&report, "p.html"),
-    ] {
+    for (arguments, name) in [(&export[..], "x.csv"), (&sweep, "y.csv"), (&report, "p.html")] {
         let output = limited("ulimit -f 1", arguments).output().unwrap();
         failed(&output, 1, name);
         failed(&output, 1, "large");
     }
     let run = ["run", "paper-300n"];
     let printed = File::create(file("z.txt")).unwrap();
-    let output = limited("ulimit -f 1", &run)
-        .stdout(printed)
-        .output()
-        .unwrap();
+    let output = limited("ulimit -f 1", &run).stdout(printed).output().unwrap();
     failed(&output, 1, "cannot write the output");
     if let Ok(full) = File::options().write(true).open("/dev/full") {
         let output = limited("true", &run).stdout(full).output();
@@ -255,10 +212,7 @@ fn thousands_of_presets_are_listed_without_holding_their_texts() {
     }
     // All texts together are 240 MB.
     let mut command = limited("ulimit -d 100000", &["presets", "--json"]);
-    let output = command
-        .env("XDG_CONFIG_HOME", config.path())
-        .output()
-        .unwrap();
+    let output = command.env("XDG_CONFIG_HOME", config.path()).output().unwrap();
     assert!(output.status.success(), "{output:?}");
     assert!(String::from_utf8_lossy(&output.stdout).contains("\"p3999\""));
 }

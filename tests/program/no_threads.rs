@@ -12,19 +12,11 @@ fn alone(arguments: &[&str]) -> Option<Output> {
     let mut words = vec!["bash", "-c", "ulimit -u 1 && exec \"$@\"", "bash", app];
     words.extend(arguments);
     // No limit holds the superuser.
-    let root = [
-        "setpriv",
-        "--reuid=65534",
-        "--regid=65534",
-        "--clear-groups",
-    ];
+    let root = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"];
     if fs_owner_is_root() {
         words.splice(0..0, root);
     }
-    let command = Command::new(words[0])
-        .args(&words[1..])
-        .current_dir("/")
-        .output();
+    let command = Command::new(words[0]).args(&words[1..]).current_dir("/").output();
     let output = command.ok()?;
     // 126 and 127: the shell or setpriv found no program, or may not run it.
     (!matches!(output.status.code(), Some(126 | 127))).then_some(output)
@@ -40,12 +32,7 @@ fn every_command_does_without_threads_what_it_does_with_them() {
     let short = ["--set", "window_ms=0.3"];
     let few = ["--samples", "8"];
     let vary = ["--vary", "impact.force_n=100,300"];
-    let until = [
-        "--vary",
-        "force=100:300",
-        "--until",
-        "apex displacement = 1",
-    ];
+    let until = ["--vary", "force=100:300", "--until", "apex displacement = 1"];
     for (command, more) in [
         ("run", &[][..]),
         ("ensemble", &few),
@@ -70,16 +57,10 @@ fn every_command_does_without_threads_what_it_does_with_them() {
             assert_eq!(figures(&output.stdout), figures(&usual.stdout));
         }
     }
-    for arguments in [
-        &["verify", "steps", "--scenes", "2"][..],
-        &["verify", "hard-cases"],
-    ] {
+    for arguments in [&["verify", "steps", "--scenes", "2"][..], &["verify", "hard-cases"]] {
         let output = alone(arguments).unwrap();
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{said}");
-        assert!(
-            said.contains("no thread can start here") && said.lines().count() == 1,
-            "{said}"
-        );
+        assert!(said.contains("no thread can start here") && said.lines().count() == 1, "{said}");
     }
 }

@@ -66,10 +66,7 @@ fn several_are_compared_and_other_ends_of_names_give_other_forms() {
     let output = output.unwrap();
     let complaint = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        complaint.contains("allowed .html, .md, .svg"),
-        "{complaint}"
-    );
+    assert!(complaint.contains("allowed .html, .md, .svg"), "{complaint}");
 }
 
 #[test]
@@ -86,10 +83,7 @@ fn browser() -> Option<&'static str> {
     let names = ["chromium", "chromium-browser", "google-chrome"];
     let works = |name: &&str| Command::new(name).arg("--version").output().is_ok();
     let found = names.into_iter().find(works);
-    assert!(
-        found.is_some() || std::env::var_os("CI").is_none(),
-        "no browser"
-    );
+    assert!(found.is_some() || std::env::var_os("CI").is_none(), "no browser");
     if found.is_none() {
         eprintln!("NOT CHECKED: no chromium here");
     }
@@ -99,18 +93,9 @@ fn browser() -> Option<&'static str> {
 /// What the browser prints, and what it complains of.
 fn browsed(browser: &str, folder: &Path, arguments: &[&str], page: &str) -> (String, String) {
     let profile = format!("--user-data-dir={}", folder.join("profile").display());
-    let usual = [
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--enable-logging=stderr",
-    ];
+    let usual = ["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr"];
     let mut command = Command::new(browser);
-    let output = command
-        .args(usual)
-        .args(arguments)
-        .args([&profile, page])
-        .output();
+    let output = command.args(usual).args(arguments).args([&profile, page]).output();
     let output = output.unwrap();
     assert!(output.status.success(), "{output:?}");
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -126,10 +111,7 @@ fn in_a_browser_the_replay_moves_without_a_complaint() {
     let page = format!("file://{}", page.display());
     let dump = ["--virtual-time-budget=2500", "--dump-dom"];
     let frame = |dom: &str| -> u32 {
-        let after = dom
-            .split("data-frame=\"")
-            .nth(1)
-            .expect("the script has run");
+        let after = dom.split("data-frame=\"").nth(1).expect("the script has run");
         after.split('"').next().unwrap().parse().unwrap()
     };
     let shell = |dom: &str| dom.split("class=\"globe\" d=\"").nth(1).unwrap()[..200].to_owned();
@@ -150,18 +132,12 @@ fn a_blow_is_printed_on_one_page_of_a4() {
     for blow in [&["paper-300n"][..], &squash] {
         let page = written(folder.path(), "one.html", blow);
         let pdf = folder.path().join("one.pdf");
-        let print = [
-            &format!("--print-to-pdf={}", pdf.display()),
-            "--no-pdf-header-footer",
-        ];
+        let print = [&format!("--print-to-pdf={}", pdf.display()), "--no-pdf-header-footer"];
         let page = format!("file://{}", page.display());
         browsed(browser, folder.path(), &print, &page);
         let pdf = String::from_utf8_lossy(&fs::read(pdf).unwrap()).into_owned();
         assert_eq!(pdf.matches("/Type /Page\n").count(), 1, "{blow:?}");
         // 595 x 842 points.
-        assert!(
-            pdf.contains("/MediaBox [0 0 59") && pdf.contains(" 84"),
-            "no A4"
-        );
+        assert!(pdf.contains("/MediaBox [0 0 59") && pdf.contains(" 84"), "no A4");
     }
 }

@@ -57,11 +57,7 @@ fn text_fits_eighty_columns_and_an_answer_one_screen() {
             assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
         }
         let is_short = text.lines().count() <= 24 && text.contains("not diagnosis");
-        assert_eq!(
-            is_short,
-            !arguments.contains(&"--all"),
-            "{arguments:?}: {text}"
-        );
+        assert_eq!(is_short, !arguments.contains(&"--all"), "{arguments:?}: {text}");
     }
 }
 
@@ -93,18 +89,9 @@ fn json_has_the_agreed_names() {
     ];
     for path in paths {
         let value = object.pointer(path).unwrap_or_else(|| panic!("no {path}"));
-        assert!(
-            value.as_f64().is_some_and(f64::is_finite),
-            "{path}: {value}"
-        );
+        assert!(value.as_f64().is_some_and(f64::is_finite), "{path}: {value}");
     }
-    assert!(
-        object
-            .pointer("/error")
-            .unwrap()
-            .get("mesh_percent")
-            .is_some()
-    );
+    assert!(object.pointer("/error").unwrap().get("mesh_percent").is_some());
     assert!(object.pointer("/numerics/integrator").unwrap().is_string());
     assert!(object.pointer("/flags").unwrap().is_array());
     assert_eq!(object["numerics"]["nodes"], 220);
@@ -114,18 +101,9 @@ fn json_has_the_agreed_names() {
 #[test]
 fn flags_carry_kind_message_and_time() {
     let object = json(&["run", "paper-300n", "--set", "impact.force_n=3000"]);
-    let folded = object["flags"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|f| f["kind"] == "mesh_folded")
-        .unwrap();
-    assert!(
-        folded["message"]
-            .as_str()
-            .unwrap()
-            .contains("beyond the model's validity")
-    );
+    let folded =
+        object["flags"].as_array().unwrap().iter().find(|f| f["kind"] == "mesh_folded").unwrap();
+    assert!(folded["message"].as_str().unwrap().contains("beyond the model's validity"));
     assert!(folded["time_ms"].as_f64().unwrap() > 0.0);
 }
 
@@ -137,14 +115,7 @@ fn settings_change_the_result() {
     let damage = |v: &Value| v["results"]["damage_percent"].as_f64().unwrap();
     assert!((damage(&plain) - 26.42).abs() < 0.01);
     assert!((damage(&set) - 6.36).abs() < 0.01);
-    let verlet = json(&[
-        "run",
-        "paper-300n",
-        "--integrator",
-        "velocity-verlet",
-        "--step-us",
-        "1",
-    ]);
+    let verlet = json(&["run", "paper-300n", "--integrator", "velocity-verlet", "--step-us", "1"]);
     assert_eq!(verlet["numerics"]["integrator"], "velocity-verlet");
     assert!((verlet["numerics"]["step_us"].as_f64().unwrap() - 1.0).abs() < 1e-9);
 }
@@ -160,22 +131,11 @@ fn damage_over_levels_is_as_on_record() {
 
 #[test]
 fn a_step_above_the_limit_is_refused_with_the_limit() {
-    program(&[
-        "run",
-        "paper-300n",
-        "--integrator",
-        "velocity-verlet",
-        "--step-us",
-        "3",
-    ])
-    .assert()
-    .code(2)
-    .stdout(is_empty())
-    .stderr(
-        contains("numerics.step_us")
-            .and(contains("3"))
-            .and(contains("2.039")),
-    );
+    program(&["run", "paper-300n", "--integrator", "velocity-verlet", "--step-us", "3"])
+        .assert()
+        .code(2)
+        .stdout(is_empty())
+        .stderr(contains("numerics.step_us").and(contains("3")).and(contains("2.039")));
 }
 
 #[test]
@@ -195,33 +155,21 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
             continue;
         }
         objects += 1;
-        let doubtful = [
-            FlagKind::MeshFolded,
-            FlagKind::NotPredictable,
-            FlagKind::Unconverged,
-        ];
+        let doubtful = [FlagKind::MeshFolded, FlagKind::NotPredictable, FlagKind::Unconverged];
         let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
-        assert!(
-            answer.errors.time_step_percent().unwrap() < 1.5 || flagged,
-            "{name}"
-        );
+        assert!(answer.errors.time_step_percent().unwrap() < 1.5 || flagged, "{name}");
         assert!(!answer.risks().is_empty(), "{name}");
         let words = preset.text().unwrap();
         assert!(words.starts_with("//"), "{name}");
         for field in ["mass_g", "diameter_mm", "speed_m_s", "stiffness"] {
-            let line = words
-                .lines()
-                .position(|line| line.trim().starts_with(field));
+            let line = words.lines().position(|line| line.trim().starts_with(field));
             // What has no spring of its own is rigid behind its surface.
             let Some(line) = line else {
                 assert_eq!(field, "stiffness", "{name}");
                 continue;
             };
             let above = words.lines().nth(line - 1).unwrap();
-            assert!(
-                above.trim().starts_with("//"),
-                "{name}: {field} has no source"
-            );
+            assert!(above.trim().starts_with("//"), "{name}: {field} has no source");
         }
     }
     assert!(objects >= 16);
@@ -237,23 +185,13 @@ fn scratch(name: &str) -> (tempfile::TempDir, PathBuf) {
 fn exported_frames_hold_all_nodes_of_all_frames_with_units() {
     let (_folder, path) = scratch("frames.csv");
     let frames = path.to_str().unwrap();
-    program(&[
-        "export",
-        "paper-300n",
-        "--frames",
-        frames,
-        "--every-us",
-        "100",
-    ])
-    .assert()
-    .success()
-    .stdout(contains("31 frames"));
+    program(&["export", "paper-300n", "--frames", frames, "--every-us", "100"])
+        .assert()
+        .success()
+        .stdout(contains("31 frames"));
     let text = fs::read_to_string(&path).unwrap();
     let mut lines = text.lines();
-    assert_eq!(
-        lines.next(),
-        Some("frame,time_ms,node,region,x_mm,y_mm,force_n")
-    );
+    assert_eq!(lines.next(), Some("frame,time_ms,node,region,x_mm,y_mm,force_n"));
     assert_eq!(lines.count(), 31 * 220);
     assert!(text.contains(",retina,") && text.contains(",lens,") && text.contains(",orbit,"));
 }
@@ -275,12 +213,7 @@ fn a_round_eye_is_exported_as_a_section_is() {
     }
     let head = fs::read_to_string(&traces).unwrap();
     let head = head.lines().next().unwrap();
-    for column in [
-        "contact_force_n",
-        "back_pressure_mpa",
-        "intrusion_mm",
-        "work_j",
-    ] {
+    for column in ["contact_force_n", "back_pressure_mpa", "intrusion_mm", "work_j"] {
         assert!(head.split(',').any(|c| c == column), "{column} in {head}");
     }
     assert!(!head.contains("vitreous_area"), "{head}");
@@ -290,24 +223,13 @@ fn a_round_eye_is_exported_as_a_section_is() {
 fn exported_traces_hold_every_step_and_the_peaks_that_run_prints() {
     let (_folder, path) = scratch("traces.csv");
     let traces = path.to_str().unwrap();
-    program(&["export", "paper-300n", "--traces", traces])
-        .assert()
-        .success();
+    program(&["export", "paper-300n", "--traces", traces]).assert().success();
     let mut reader = csv::Reader::from_path(&path).unwrap();
-    let header: Vec<String> = reader
-        .headers()
-        .unwrap()
-        .iter()
-        .map(str::to_owned)
-        .collect();
+    let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     let column = header.iter().position(|h| h == "force_front_n").unwrap();
-    let peak = reader
-        .records()
-        .map(|r| r.unwrap()[column].parse::<f64>().unwrap())
-        .fold(0.0, f64::max);
-    let printed = json(&["run", "paper-300n"])["results"]["peak_force_front_n"]
-        .as_f64()
-        .unwrap();
+    let peak =
+        reader.records().map(|r| r.unwrap()[column].parse::<f64>().unwrap()).fold(0.0, f64::max);
+    let printed = json(&["run", "paper-300n"])["results"]["peak_force_front_n"].as_f64().unwrap();
     assert!(peak <= printed && peak > 0.97 * printed, "{peak} {printed}");
 }
 
@@ -316,26 +238,14 @@ fn an_export_that_fails_leaves_the_old_file() {
     let (_folder, path) = scratch("frames.csv");
     fs::write(&path, "old").unwrap();
     let target = path.to_str().unwrap();
-    program(&[
-        "export",
-        "paper-300n",
-        "--frames",
-        target,
-        "--set",
-        "impact.force_n=-1",
-    ])
-    .assert()
-    .code(2);
+    program(&["export", "paper-300n", "--frames", target, "--set", "impact.force_n=-1"])
+        .assert()
+        .code(2);
     assert_eq!(fs::read_to_string(&path).unwrap(), "old");
-    program(&[
-        "export",
-        "paper-300n",
-        "--frames",
-        "/nonexistent/frames.csv",
-    ])
-    .assert()
-    .code(1)
-    .stderr(contains("/nonexistent/frames.csv"));
+    program(&["export", "paper-300n", "--frames", "/nonexistent/frames.csv"])
+        .assert()
+        .code(1)
+        .stderr(contains("/nonexistent/frames.csv"));
 }
 
 #[test]
@@ -376,16 +286,11 @@ fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
     assert_eq!(short["scenario"]["window_ms"], 0.2);
     assert_eq!(simulated(&short), 0.2);
     assert!(short["at_least"].as_array().unwrap().len() > 3);
-    program(&["run", "bb-56", "--all"])
-        .assert()
-        .success()
-        .stdout(contains("Stopped at 2.8"));
+    program(&["run", "bb-56", "--all"]).assert().success().stdout(contains("Stopped at 2.8"));
     program(&["run", "bb-56", "--set", "window=0"])
         .assert()
         .code(2)
-        .stderr(contains(
-            "window_ms: 0 is out of range: allowed Auto, or 0.001 to 1000 ms",
-        ));
+        .stderr(contains("window_ms: 0 is out of range: allowed Auto, or 0.001 to 1000 ms"));
     program(&["sweep", "bb-56", "--vary", "window=0.1,0.2,auto"])
         .assert()
         .success()
@@ -394,25 +299,15 @@ fn a_run_lasts_until_it_is_over_unless_its_window_is_set() {
 
 #[test]
 fn a_run_that_ends_at_an_eye_pressed_flat_says_so_and_asks_for_no_longer_window() {
-    let blow = [
-        "paper-300n",
-        "--set=model=Physiological",
-        "--set=impact.force_n=5000",
-        "--quick",
-    ];
+    let blow = ["paper-300n", "--set=model=Physiological", "--set=impact.force_n=5000", "--quick"];
     let flat = |more: &[&str]| {
-        let output = program(&[&["run"], &blow[..], more].concat())
-            .output()
-            .unwrap();
+        let output = program(&[&["run"], &blow[..], more].concat()).output().unwrap();
         String::from_utf8(output.stdout).unwrap().replace('\n', " ")
     };
     let (first, all) = (flat(&[]), flat(&["--all"]));
     assert!(all.contains("ms: the eye was pressed flat"), "{all}");
     for text in [first, all] {
-        assert!(
-            text.contains("ended where the eye was pressed flat"),
-            "{text}"
-        );
+        assert!(text.contains("ended where the eye was pressed flat"), "{text}");
         assert!(!text.contains("longer window_ms"), "{text}");
         assert!(!text.contains("what acted is gone"), "{text}");
         assert!(text.contains("±?: no eye was tested so hard"), "{text}");
@@ -445,12 +340,7 @@ fn a_force_in_the_place_of_an_object_does_not_go_by_the_name_of_the_object() {
 #[test]
 fn in_a_log_work_of_minutes_says_how_long_it_goes_on() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_contrecoup"))
-        .args([
-            "sweep",
-            "paper-300n",
-            "--level=4",
-            "--vary=force=1:600:20000",
-        ])
+        .args(["sweep", "paper-300n", "--level=4", "--vary=force=1:600:20000"])
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()
@@ -462,8 +352,5 @@ fn in_a_log_work_of_minutes_says_how_long_it_goes_on() {
     child.kill().unwrap();
     child.wait().unwrap();
     let first = first.unwrap().unwrap().unwrap();
-    assert!(
-        first.starts_with("rows: ") && first.contains("of 20000, about"),
-        "{first}"
-    );
+    assert!(first.starts_with("rows: ") && first.contains("of 20000, about"), "{first}");
 }

@@ -14,9 +14,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 fn files(folder: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/scenarios")
-        .join(folder);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenarios").join(folder);
     let mut files: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
@@ -32,20 +30,12 @@ fn each_broken_file_is_refused_with_the_place_and_the_reason() {
     let mut wrong = Vec::new();
     for path in files("bad") {
         let text = fs::read_to_string(&path).unwrap();
-        let expected = text
-            .lines()
-            .next()
-            .unwrap()
-            .strip_prefix("// expect: ")
-            .unwrap();
+        let expected = text.lines().next().unwrap().strip_prefix("// expect: ").unwrap();
         let said = load(&path).map_or_else(|error| error.to_string(), |_| "accepted".to_owned());
         let file = format!("{}:", path.display());
         let rest = said.strip_prefix(&file).unwrap_or(&said);
         if !rest.starts_with(expected) || said.lines().count() != 1 {
-            wrong.push(format!(
-                "{}\n    {rest}",
-                path.file_name().unwrap().display()
-            ));
+            wrong.push(format!("{}\n    {rest}", path.file_name().unwrap().display()));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -81,10 +71,7 @@ fn what_is_no_scenario_file_is_refused_without_reading_it_all() {
 fn devices_and_pipes_neither_hang_nor_fill_the_memory() {
     let folder = tempfile::tempdir().unwrap();
     let pipe = folder.path().join("pipe.ron");
-    let made = std::process::Command::new("mkfifo")
-        .arg(&pipe)
-        .status()
-        .unwrap();
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
     assert!(made.success());
     for path in [Path::new("/dev/zero"), &pipe] {
         let error = load(path).unwrap_err().to_string();
@@ -136,11 +123,7 @@ fn the_ends_of_every_range_are_allowed_and_what_lies_outside_is_not() {
             assert_eq!(scenario, before, "{} changed on an error", field.path);
         }
         for text in ["NaN", "inf", "-inf", "1e999", "one"] {
-            assert!(
-                set(&mut roomy.clone(), field.path, text).is_err(),
-                "{}={text}",
-                field.path
-            );
+            assert!(set(&mut roomy.clone(), field.path, text).is_err(), "{}={text}", field.path);
         }
         tried += 1;
     }
@@ -152,15 +135,14 @@ fn any_settings() -> impl Strategy<Value = Vec<(&'static str, String)>> {
     let one = |field: &'static contrecoup::scenario::fields::Field| {
         let text: BoxedStrategy<String> = match &field.kind {
             Kind::Number(b, _) => (b.min..=b.max).prop_map(|n| n.to_string()).boxed(),
-            Kind::OptionalNumber(b, _) => prop_oneof![
-                Just("Auto".to_owned()),
-                (b.min..=b.max).prop_map(|n| n.to_string())
-            ]
-            .boxed(),
+            Kind::OptionalNumber(b, _) => {
+                prop_oneof![Just("Auto".to_owned()), (b.min..=b.max).prop_map(|n| n.to_string())]
+                    .boxed()
+            }
             Kind::Integer(min, max, _) => (*min..=*max).prop_map(|n| n.to_string()).boxed(),
-            Kind::Choice(choices) => prop::sample::select(choices.names())
-                .prop_map(str::to_owned)
-                .boxed(),
+            Kind::Choice(choices) => {
+                prop::sample::select(choices.names()).prop_map(str::to_owned).boxed()
+            }
             Kind::Integers(min, max, most, _) => {
                 prop::collection::btree_set(*min..=*max, 0..=*most)
                     .prop_map(|set| format!("{set:?}").replace(['{', '}'], ""))

@@ -50,12 +50,7 @@ fn a_preset_is_shown_verbatim_to_a_program_and_safely_on_a_terminal() {
     let shown = run(config.path(), &["presets", "show", "mine"]);
     assert_eq!(shown.stdout, text.as_bytes());
 
-    let size = PtySize {
-        rows: 24,
-        cols: 200,
-        pixel_width: 0,
-        pixel_height: 0,
-    };
+    let size = PtySize { rows: 24, cols: 200, pixel_width: 0, pixel_height: 0 };
     let pty = native_pty_system().openpty(size).unwrap();
     let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_contrecoup"));
     command.args(["presets", "show", "mine"]);
@@ -68,17 +63,9 @@ fn a_preset_is_shown_verbatim_to_a_program_and_safely_on_a_terminal() {
     let _ = reader.read_to_end(&mut bytes);
     assert!(child.wait().unwrap().success());
     let seen = String::from_utf8(bytes).unwrap().replace("\r\n", "\n");
-    assert!(
-        seen.contains("\\u{1b}[31m\\u{9b}2J\\u{7f}\\u{61c}\\u{202e}"),
-        "{seen:?}"
-    );
+    assert!(seen.contains("\\u{1b}[31m\\u{9b}2J\\u{7f}\\u{61c}\\u{202e}"), "{seen:?}");
     assert!(seen.contains("force_n: 42"));
-    assert!(
-        !seen
-            .chars()
-            .any(|c| HOSTILE.contains(c) && !c.is_ascii_graphic()),
-        "{seen:?}"
-    );
+    assert!(!seen.chars().any(|c| HOSTILE.contains(c) && !c.is_ascii_graphic()), "{seen:?}");
 }
 
 #[test]
@@ -90,11 +77,7 @@ fn file_names_are_safe_in_lists_and_messages() {
     let json = run(config.path(), &["presets", "--json"]);
     assert!(said(&json).contains("\\u202e"));
     let rows: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
-    let names = rows
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|row| row["name"].as_str().unwrap());
+    let names = rows.as_array().unwrap().iter().map(|row| row["name"].as_str().unwrap());
     assert!(names.into_iter().any(|name| format!("{name}.ron") == file));
 
     let name = file.strip_suffix(".ron").unwrap();
@@ -109,28 +92,15 @@ fn file_names_are_safe_in_lists_and_messages() {
     assert!(config.path().join(&page).exists());
 
     let traces = format!("t{HOSTILE}.csv");
-    let export = run(
-        config.path(),
-        &["export", "paper-300n", "--traces", &traces],
-    );
+    let export = run(config.path(), &["export", "paper-300n", "--traces", &traces]);
     assert!(export.status.success());
     assert!(said(&export).contains("\\u{202e}"));
     assert!(config.path().join(&traces).exists());
     let nowhere = format!("no{HOSTILE}/x.csv");
+    said(&run(config.path(), &["export", "paper-300n", "--traces", &nowhere]));
     said(&run(
         config.path(),
-        &["export", "paper-300n", "--traces", &nowhere],
-    ));
-    said(&run(
-        config.path(),
-        &[
-            "sweep",
-            "paper-300n",
-            "--vary",
-            "impact.force_n=1,2",
-            "--out",
-            &nowhere,
-        ],
+        &["sweep", "paper-300n", "--vary", "impact.force_n=1,2", "--out", &nowhere],
     ));
 }
 
@@ -167,10 +137,8 @@ fn messages_are_bounded_and_say_how_much_they_leave_out() {
     let field = write("field.ron", &format!("({long}: 1)"));
     let wrong: Vec<String> = (0..5000).map(|i| format!("\"a{i}\":1")).collect();
     let wrong = wrong.join(",");
-    let doubts = write(
-        "doubts.ron",
-        &format!("(name: \"a\", impact: ForcePulse(), doubt: {{{wrong}}})"),
-    );
+    let doubts =
+        write("doubts.ron", &format!("(name: \"a\", impact: ForcePulse(), doubt: {{{wrong}}})"));
     let set = format!("impact=({}", "force_n: 1, ".repeat(9_000));
     for (arguments, cut) in [
         (vec!["run", &field], "characters more"),
@@ -178,10 +146,7 @@ fn messages_are_bounded_and_say_how_much_they_leave_out() {
         (vec!["run", "paper-300n", "--set", &set], "characters more"),
         (vec!["run", "paper-300n", "--set", &long], "characters more"),
         (vec!["run", "paper-300n", &long], "characters more"),
-        (
-            vec!["sweep", "paper-300n", "--vary", &long],
-            "characters more",
-        ),
+        (vec!["sweep", "paper-300n", "--vary", &long], "characters more"),
     ] {
         let output = run(config.path(), &arguments);
         assert_eq!(output.status.code(), Some(2));
@@ -194,30 +159,20 @@ fn messages_are_bounded_and_say_how_much_they_leave_out() {
 #[test]
 fn an_own_preset_opens_by_any_name_that_its_file_suggests() {
     let config = config_with(&[("mine.ron", OWN), ("odd.ron.ron", OWN), ("-rf.ron", OWN)]);
-    for arguments in [
-        &["run", "mine.ron"][..],
-        &["run", "odd.ron"],
-        &["run", "mine"],
-        &["run", "--", "-rf"],
-    ] {
+    for arguments in
+        [&["run", "mine.ron"][..], &["run", "odd.ron"], &["run", "mine"], &["run", "--", "-rf"]]
+    {
         let output = run(config.path(), arguments);
         assert!(output.status.success(), "{arguments:?}: {output:?}");
     }
     // A file of that name in the folder one works in comes first.
     fs::write(config.path().join("mine.ron"), "(").unwrap();
-    assert_eq!(
-        run(config.path(), &["run", "mine.ron"]).status.code(),
-        Some(2)
-    );
+    assert_eq!(run(config.path(), &["run", "mine.ron"]).status.code(), Some(2));
 }
 
 #[test]
 fn names_are_no_formulas_in_a_table_and_no_links_on_a_page() {
-    let named = OWN.replacen(
-        "name: \"",
-        "name: \"=cmd|' /C calc'!A0 ![x](http://a.example) ",
-        1,
-    );
+    let named = OWN.replacen("name: \"", "name: \"=cmd|' /C calc'!A0 ![x](http://a.example) ", 1);
     let config = config_with(&[("mine.ron", &named)]);
     let compared = |form: &str| {
         let output = run(config.path(), &["compare", "mine", "paper-100n", form]);
@@ -231,9 +186,6 @@ fn names_are_no_formulas_in_a_table_and_no_links_on_a_page() {
     assert!(report.status.success());
     let page = fs::read_to_string(config.path().join("mine.md")).unwrap();
     for text in [page, compared("--md")] {
-        assert!(
-            !text.contains("x](") && !text.contains("http://a"),
-            "{text}"
-        );
+        assert!(!text.contains("x](") && !text.contains("http://a"), "{text}");
     }
 }

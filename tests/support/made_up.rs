@@ -128,9 +128,7 @@ fn traces(case: &Compiled, scenario: &Scenario, size: f64) -> Traces {
         scleral_stress: some(whole, &|s| size * STRESS_PA * pushed(s - 0.01)),
         shortening: some(whole, &|s| 0.1 * give * pushed(s - 0.02)),
         lens: some(whole, &|s| 0.4 * give * APEX_M * pushed(s - 0.03)),
-        intrusion: some(whole && blow.is_some(), &|s| {
-            0.9 * give * APEX_M * pushed(s)
-        }),
+        intrusion: some(whole && blow.is_some(), &|s| 0.9 * give * APEX_M * pushed(s)),
         contact_force: some(blow.is_some(), &|s| 700.0 * size * touch(s)),
         projectile: some(blow.is_some(), &|s| centre(radius, give * APEX_M, s).x),
         tissue: TISSUE.map(|most| some(whole, &|s| give * most * pushed(s - 0.02))),
@@ -182,9 +180,7 @@ fn frame(scenario: &Scenario, traces: &Traces, row: usize, diameter: Option<f64>
         positions: (nodes.iter())
             .map(|&(at, fixed)| at + Vector2::new(if fixed { 0.0 } else { push(at) }, 0.0))
             .collect(),
-        forces: (nodes.iter())
-            .map(|&(at, fixed)| if fixed { 0.0 } else { heat(at) })
-            .collect(),
+        forces: (nodes.iter()).map(|&(at, fixed)| if fixed { 0.0 } else { heat(at) }).collect(),
         projectile: diameter.map(|diameter| centre(0.5 * diameter, deep, share)),
         squeezed: 0.0,
         cells: match axisymmetric(scenario) {
@@ -275,11 +271,7 @@ fn flags(fold: Option<Fold>) -> Vec<Flag> {
 
 /// Simulated time, in s.
 fn lasts(case: &Compiled) -> f64 {
-    if case.ends_by_itself() {
-        3e-3
-    } else {
-        case.window()
-    }
+    if case.ends_by_itself() { 3e-3 } else { case.window() }
 }
 
 /// The answer to a scenario, with traces and frames.
@@ -290,9 +282,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
     let fold = fold(&case, size);
     let diameter = object(scenario).map(Projectile::diameter_m);
     let frames = (0..=ROWS).step_by(EVERY_FRAME);
-    let frames = frames
-        .map(|row| frame(scenario, &traces, row, diameter))
-        .collect();
+    let frames = frames.map(|row| frame(scenario, &traces, row, diameter)).collect();
     let stated = |of: Quantity| of.row().family != Family::Unstated;
     let error = |of: Quantity, value: &Option<f64>| {
         let error = if of.row().unit == "N" { 0.08 } else { 0.004 };
@@ -310,10 +300,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
         simulated: lasts(&case),
         traces: Some(traces),
         frames,
-        cost: Cost {
-            steps: 1500,
-            evaluations: 9000,
-        },
+        cost: Cost { steps: 1500, evaluations: 9000 },
     };
     Answer {
         plan: Plan {
@@ -355,18 +342,11 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
         });
         let shares: Vec<f64> = shares.collect();
         let weights = [0.6, 0.2, 0.1];
-        let moved = shares
-            .iter()
-            .zip(weights)
-            .map(|(share, weight)| weight * (share - 0.5));
+        let moved = shares.iter().zip(weights).map(|(share, weight)| weight * (share - 0.5));
         let factor = 1.0 + moved.sum::<f64>();
         let folded = folds && index % 6 != 5;
         Sample {
-            drawn: inputs
-                .iter()
-                .zip(&shares)
-                .map(|(input, u)| input.value(*u))
-                .collect(),
+            drawn: inputs.iter().zip(&shares).map(|(input, u)| input.value(*u)).collect(),
             outcome: Ok(BriefAnswer {
                 ranges: None,
                 values: nominal.map(|of, value| {
@@ -391,12 +371,7 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
         seed: 1,
         cap: Some(2e-6),
         promise: 0.1,
-        timing: Timing {
-            wall: 0.5,
-            cores: 1.0,
-            single: Some(0.02),
-            threads: 2,
-        },
+        timing: Timing { wall: 0.5, cores: 1.0, single: Some(0.02), threads: 2 },
     }
 }
 

@@ -7,9 +7,7 @@ use serde_json::Value;
 pub fn program(arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("contrecoup").unwrap();
     // A folder that does not exist: no test sees a person's presets.
-    command
-        .env("XDG_CONFIG_HOME", "/nonexistent")
-        .args(arguments);
+    command.env("XDG_CONFIG_HOME", "/nonexistent").args(arguments);
     command
 }
 

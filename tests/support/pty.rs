@@ -61,21 +61,12 @@ pub struct Term {
 /// The modes of a terminal, such as whether it waits for whole lines.
 fn modes(master: &(dyn MasterPty + Send)) -> String {
     let termios = master.get_termios().expect("a terminal has modes");
-    let flags = (
-        termios.input_flags,
-        termios.output_flags,
-        termios.local_flags,
-    );
+    let flags = (termios.input_flags, termios.output_flags, termios.local_flags);
     format!("{flags:?}")
 }
 
 fn size(columns: u16, rows: u16) -> PtySize {
-    PtySize {
-        rows,
-        cols: columns,
-        pixel_width: 0,
-        pixel_height: 0,
-    }
+    PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 }
 }
 
 fn cells(count: u16) -> std::num::NonZero<u16> {
@@ -83,10 +74,7 @@ fn cells(count: u16) -> std::num::NonZero<u16> {
 }
 
 fn count(haystack: &[u8], needle: &[u8]) -> usize {
-    haystack
-        .windows(needle.len())
-        .filter(|w| *w == needle)
-        .count()
+    haystack.windows(needle.len()).filter(|w| *w == needle).count()
 }
 
 /// The program under test with these arguments, on a terminal of 16 colours.
@@ -140,13 +128,7 @@ impl Term {
         }));
         let (own_seen, own_writer) = (Arc::clone(&seen), Arc::clone(&writer));
         thread::spawn(move || listen(reader, &own_seen, &own_writer, replies));
-        Self {
-            seen,
-            master: pair.master,
-            writer,
-            child,
-            modes,
-        }
+        Self { seen, master: pair.master, writer, child, modes }
     }
 
     /// Stops answering, like a client that is stopped.
@@ -209,9 +191,7 @@ impl Term {
     /// Changes the size of the terminal.
     pub fn resize(&self, columns: u16, rows: u16) {
         let mut seen = self.seen.lock().unwrap();
-        seen.parser
-            .screen_mut()
-            .set_size(cells(rows), cells(columns));
+        seen.parser.screen_mut().set_size(cells(rows), cells(columns));
         self.master.resize(size(columns, rows)).unwrap();
     }
 
@@ -285,11 +265,7 @@ impl Term {
         assert!(!pasting, "bracketed paste left on");
         drop(seen);
         self.assert_mouse(false);
-        assert_eq!(
-            modes(&*self.master),
-            self.modes,
-            "terminal left in other modes"
-        );
+        assert_eq!(modes(&*self.master), self.modes, "terminal left in other modes");
     }
 
     /// Fails unless the terminal reports the mouse, or does not.
@@ -310,9 +286,8 @@ impl Drop for Term {
 
 /// Sends a signal by name to a process.
 pub fn signal(name: &str, pid: u32) {
-    let status = std::process::Command::new("kill")
-        .args([&format!("-{name}"), &pid.to_string()])
-        .status();
+    let status =
+        std::process::Command::new("kill").args([&format!("-{name}"), &pid.to_string()]).status();
     assert!(status.unwrap().success());
 }
 

@@ -4,16 +4,12 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 use super::ThresholdSearch;
-use crate::answer::brief::single;
-use crate::answer::complete::complete;
-use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
+use crate::answer::{brief::single, complete::complete, results::Results};
 use crate::injury::{Blow, Injury, Known, Risk};
 use crate::many::root::{Bracket, narrowed};
-use crate::run::flags::Flag;
-use crate::run::kept::Keep;
 use crate::run::ordered::{self, until};
-use crate::run::refusal::Refusal;
+use crate::run::{flags::Flag, kept::Keep, refusal::Refusal};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 pub(super) const WIDTH: f64 = 1e-4;
@@ -159,10 +155,7 @@ impl ThresholdSearch {
             let value = run.and_then(|run| run.values[measure]);
             Ok(value.map(|value| {
                 let value = value / measure.row().factor;
-                let known = Known {
-                    value,
-                    ..there.known
-                };
+                let known = Known { value, ..there.known };
                 let range = injury.assess(&Blow::of(&scenario), known).range;
                 (if upper { range.1 } else { range.0 }) >= target
             }))

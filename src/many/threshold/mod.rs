@@ -23,19 +23,14 @@ use std::sync::atomic::AtomicBool;
 pub use crossing::{Crossing, RiskThere};
 pub use question::{meant, usual, wanted};
 
-use crate::answer::brief::single;
-use crate::answer::results::Results;
 use crate::answer::solve::{Answer, solve};
-use crate::many::root::Bracket;
-use crate::many::sweep::spaced;
-use crate::run::kept::Keep;
+use crate::answer::{brief::single, results::Results};
+use crate::many::{root::Bracket, sweep::spaced};
 use crate::run::ordered::{self, until};
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::scenario::Scenario;
+use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal};
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain};
-use crate::scenario::set::set;
+use crate::scenario::{Scenario, set::set};
 
 /// Intervals of the grid, at least, and the largest ratio of neighbours on it.
 const INTERVALS: usize = 24;
@@ -100,15 +95,8 @@ impl ThresholdSearch {
             None => (bounds.min, bounds.max),
             Some(ends) => question::range(&scenario, field, &bounds, ends)?,
         };
-        let mut search = Self {
-            scenario,
-            field,
-            bounds,
-            range,
-            narrow: ends.is_some(),
-            quantity,
-            target,
-        };
+        let mut search =
+            Self { scenario, field, bounds, range, narrow: ends.is_some(), quantity, target };
         let (from, present) = (search.range.0, search.present());
         if !search.narrow && from > 0.0 && present > from {
             search.range.0 = from.max(SLOWEST_SHARE * present);
@@ -212,9 +200,7 @@ impl ThresholdSearch {
         let last = grid.len() - 1;
         let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
         let coarse = if self.narrow { 1 } else { COARSE };
-        let first: Vec<usize> = (0..=last)
-            .filter(|i| i % coarse == 0 || *i == last)
-            .collect();
+        let first: Vec<usize> = (0..=last).filter(|i| i % coarse == 0 || *i == last).collect();
         let mut done = 0;
         let mut run_at = |at: &[usize], seen: &mut Vec<_>| {
             let run = |i: usize| match self.results_at(grid[at[i]], stop) {
@@ -244,14 +230,10 @@ impl ThresholdSearch {
             (a, b) => a.is_some() != b.is_some(),
         };
         let pairs = first.windows(2).map(|pair| (pair[0], pair[1]));
-        let between = pairs
-            .filter(|pair| worth(*pair))
-            .flat_map(|(a, b)| a + 1..b);
+        let between = pairs.filter(|pair| worth(*pair)).flat_map(|(a, b)| a + 1..b);
         run_at(&between.collect::<Vec<_>>(), &mut seen)?;
         let pairs = grid.into_iter().zip(seen);
-        Ok(pairs
-            .filter_map(|(at, result)| Some((at, result?)))
-            .collect())
+        Ok(pairs.filter_map(|(at, result)| Some((at, result?))).collect())
     }
 
     /// The results of one run at a value of the field.
@@ -266,10 +248,7 @@ impl ThresholdSearch {
             let [(a, Ok(low)), (b, Ok(high))] = pair else {
                 return None;
             };
-            let bracket = Bracket {
-                low: (*a, low - self.target),
-                high: (*b, high - self.target),
-            };
+            let bracket = Bracket { low: (*a, low - self.target), high: (*b, high - self.target) };
             ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
         });
         pairs.collect()

@@ -1,7 +1,6 @@
 //! What is asked of a search: the field that it varies, and the result and value that it looks for.
 
-use crate::run::flags::PRESSED_FLAT;
-use crate::run::quantity::Quantity;
+use crate::run::{flags::PRESSED_FLAT, quantity::Quantity};
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion};
 use crate::scenario::set::{full_path, set};
@@ -102,10 +101,7 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
     let Some((key, value)) = text.split_once('=') else {
         return Err(refused(text, "has no =", example));
     };
-    let (key, value) = (
-        key.trim().trim_end_matches('='),
-        value.trim_start_matches('=').trim(),
-    );
+    let (key, value) = (key.trim().trim_end_matches('='), value.trim_start_matches('=').trim());
     let Some(quantity) = meant(key) else {
         let near = suggestion(&bare(key), Quantity::ALL.iter().map(|q| q.key()));
         let allowed = "any of the results that contrecoup run --json lists";

@@ -1,7 +1,6 @@
 use super::*;
 use crate::answer::solve::tests::answered;
-use crate::scenario::library::tests::preset;
-use crate::scenario::set::set;
+use crate::scenario::{library::tests::preset, set::set};
 
 #[test]
 fn a_result_is_found_by_its_key_and_by_what_it_is_called() {
@@ -13,10 +12,7 @@ fn a_result_is_found_by_its_key_and_by_what_it_is_called() {
     }
     assert_eq!(meant("globe"), None);
     let told = wanted("globe ruptur = 50").unwrap_err().to_string();
-    assert!(
-        told.contains("globe_rupture_percent") && told.len() < 200,
-        "{told}"
-    );
+    assert!(told.contains("globe_rupture_percent") && told.len() < 200, "{told}");
 }
 
 fn found(scenario: Scenario, vary: &str, until: &str) -> Threshold {
@@ -25,18 +21,13 @@ fn found(scenario: Scenario, vary: &str, until: &str) -> Threshold {
 }
 
 fn short() -> Scenario {
-    Scenario {
-        window_ms: Some(0.3),
-        ..Scenario::default()
-    }
+    Scenario { window_ms: Some(0.3), ..Scenario::default() }
 }
 
 #[test]
 fn a_crossing_is_where_the_result_has_the_value_and_its_errors_follow_the_slope() {
     let threshold = found(short(), "impact.force_n=50:800", "apex_displacement_mm = 2");
-    let [crossing] = &threshold.crossings[..] else {
-        panic!("{threshold:?}")
-    };
+    let [crossing] = &threshold.crossings[..] else { panic!("{threshold:?}") };
     let mut there = short();
     set(&mut there, "impact.force_n", &plain(crossing.at)).unwrap();
     let answer = answered(&there);
@@ -70,10 +61,7 @@ fn a_risk_carries_what_is_said_of_it_and_the_speeds_at_which_its_range_holds_the
     let anywhere = found(bb.clone(), "impact.speed_m_s", until);
     let between = found(bb, "impact.speed_m_s=50:75", until);
     let [one, other] = [&anywhere, &between].map(|found| &found.crossings[0]);
-    assert!(
-        (one.at / other.at - 1.0).abs() < 2.0 * crossing::WIDTH,
-        "{one:?} {other:?}"
-    );
+    assert!((one.at / other.at - 1.0).abs() < 2.0 * crossing::WIDTH, "{one:?} {other:?}");
     // At a BB the published energy counts: 35.8 kJ/m2.
     assert!((one.at / 57.4 - 1.0).abs() < 0.01, "{one:?}");
     let there = one.risk.as_ref().unwrap();
@@ -120,12 +108,7 @@ fn questions_that_make_no_sense_are_refused_in_words() {
     assert!(wanted("rebound_speed = -3").is_ok());
     let until = (Quantity::Pressure, 1.0);
     let question = ThresholdSearch::read(short(), "impact.force_n=100:200", until).unwrap();
-    let error = question
-        .answer(&AtomicBool::new(false), |_| {})
-        .unwrap_err();
+    let error = question.answer(&AtomicBool::new(false), |_| {}).unwrap_err();
     let error = error.to_string();
-    assert!(
-        error.contains("the nearest that it has: peak_force_") && error.len() < 250,
-        "{error}"
-    );
+    assert!(error.contains("the nearest that it has: peak_force_") && error.len() < 250, "{error}");
 }

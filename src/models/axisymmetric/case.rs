@@ -45,15 +45,11 @@ impl AxisymmetricCase {
         let (angle_deg, load) = match &scenario.impact {
             Impact::ForcePulse(pulse) => {
                 let half_width = pulse.half_width_deg.to_radians();
-                (
-                    pulse.angle_deg,
-                    engine::AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width),
-                )
+                (pulse.angle_deg, engine::AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width))
             }
-            Impact::Projectile(projectile) => (
-                projectile.angle_deg,
-                engine::AxisymmetricLoad::Object(object(projectile)),
-            ),
+            Impact::Projectile(projectile) => {
+                (projectile.angle_deg, engine::AxisymmetricLoad::Object(object(projectile)))
+            }
         };
         let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Self {
@@ -77,11 +73,7 @@ impl AxisymmetricCase {
             engine::AxisymmetricLoad::Object(object) => Some(object),
             engine::AxisymmetricLoad::Pulse(..) => None,
         };
-        refused(
-            stop,
-            object,
-            (self.eye.level, libm::hypot(xb - xa, rb - ra)),
-        )
+        refused(stop, object, (self.eye.level, libm::hypot(xb - xa, rb - ra)))
     }
 
     /// Duration of a pulse, in s.
@@ -111,10 +103,7 @@ pub(crate) fn refused(
         let narrow = format!(
             "mm is narrower than what lies between two nodes of mesh level {level}, and {through}"
         );
-        let allowed = format!(
-            "{:.2} mm or more, or a finer mesh by eye.level",
-            apart * 1e3
-        );
+        let allowed = format!("{:.2} mm or more, or a finer mesh by eye.level", apart * 1e3);
         Problem::refused("impact.diameter_mm", &width, &narrow, allowed)
     } else {
         let allowed = "a slower, lighter or wider object: what pierces an eye is beyond this model";
@@ -150,11 +139,8 @@ pub(crate) fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
         viscosity: model.vitreous_viscosity_pa_s,
         ..parameters.vitreous
     };
-    parameters.lens.material = Material {
-        bulk,
-        shear: model.lens_shear_kpa * 1e3,
-        ..parameters.lens.material
-    };
+    parameters.lens.material =
+        Material { bulk, shear: model.lens_shear_kpa * 1e3, ..parameters.lens.material };
     let shell = &mut parameters.shell;
     shell.sclera_modulus = model.sclera_mpa * 1e6;
     shell.cornea_modulus = model.cornea_mpa * 1e6;
@@ -168,12 +154,9 @@ pub(crate) fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
 fn surround(model: &Physiological) -> Option<Surround> {
     let (plain, bulk_mpa, shear_kpa, opening_deg) = match model.support {
         Support::Free => return None,
-        Support::Orbit => (
-            Surround::orbit(),
-            model.fat_bulk_mpa,
-            model.fat_shear_kpa,
-            model.orbit_opening_deg,
-        ),
+        Support::Orbit => {
+            (Surround::orbit(), model.fat_bulk_mpa, model.fat_shear_kpa, model.orbit_opening_deg)
+        }
         Support::Gelatin => (
             Surround::gelatin(),
             model.gelatin_bulk_mpa,
@@ -213,10 +196,9 @@ pub(crate) fn object(projectile: &Projectile) -> Object {
         surface: surface.losing(projectile.restitution),
         spring: match projectile.stiffness {
             ProjectileStiffness::Rigid => None,
-            ProjectileStiffness::Linear { n_per_m } => Some(BallSpring {
-                stiffness: n_per_m,
-                restitution: projectile.restitution,
-            }),
+            ProjectileStiffness::Linear { n_per_m } => {
+                Some(BallSpring { stiffness: n_per_m, restitution: projectile.restitution })
+            }
         },
     }
 }

@@ -3,12 +3,8 @@
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::solve::tests::{answered, answered_with};
 use crate::answer::solve::{Answer, solve};
-use crate::run::flags::FlagKind;
-use crate::run::kept::Keep;
-use crate::run::plan::Plan;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
 use crate::run::watch::unwatched;
+use crate::run::{flags::FlagKind, kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal};
 use crate::scenario::set::set;
 use crate::scenario::{
     ForcePulse, Geometry, Impact, NumericsInput, Outline, Projectile, Scenario, Surface,
@@ -18,21 +14,13 @@ use std::ops::ControlFlow;
 fn scene(projectile: Projectile) -> Scenario {
     Scenario {
         window_ms: Some(1.0),
-        numerics: NumericsInput {
-            geometry: Geometry::Axisymmetric,
-            ..NumericsInput::default()
-        },
+        numerics: NumericsInput { geometry: Geometry::Axisymmetric, ..NumericsInput::default() },
         ..Scenario::of(Impact::Projectile(projectile))
     }
 }
 
 fn bb(speed_m_s: f64) -> Projectile {
-    Projectile {
-        mass_g: 0.345,
-        diameter_mm: 4.5,
-        speed_m_s,
-        ..Projectile::default()
-    }
+    Projectile { mass_g: 0.345, diameter_mm: 4.5, speed_m_s, ..Projectile::default() }
 }
 
 fn refused(scenario: &Scenario) -> Refusal {
@@ -44,20 +32,14 @@ fn refused(scenario: &Scenario) -> Refusal {
 fn a_surface_that_is_used_up_is_flagged_and_one_that_is_not_is_not() {
     let of = |modulus_mpa| {
         let surface = Surface::Elastic { modulus_mpa };
-        answered(&scene(Projectile {
-            surface,
-            ..bb(30.0)
-        }))
+        answered(&scene(Projectile { surface, ..bb(30.0) }))
     };
     let crushed = |answer: &Answer| {
         let flags = answer.flags.iter();
         flags.filter(|f| f.kind == FlagKind::SurfaceCrushed).count()
     };
     let (softer, soft, hard) = (of(0.001), of(0.002), of(1e3));
-    assert_eq!(
-        (crushed(&soft), crushed(&softer), crushed(&hard)),
-        (1, 1, 0)
-    );
+    assert_eq!((crushed(&soft), crushed(&softer), crushed(&hard)), (1, 1, 0));
     // What is behind it is hard, whatever the surface was.
     let force = |answer: &Answer| answer.result(Quantity::Contact).unwrap();
     assert!((force(&soft) / force(&softer) - 1.0).abs() < 0.02);
@@ -70,28 +52,11 @@ fn what_goes_through_the_eye_is_refused_with_its_field_and_the_next_step() {
         assert!(refusal.is_of_input());
         refusal.to_string()
     };
-    let grain = refused(Projectile {
-        mass_g: 1e-3,
-        diameter_mm: 0.1,
-        ..bb(62.5)
-    });
-    assert!(
-        grain.starts_with("impact.diameter_mm: 0.10 mm is narrower"),
-        "{grain}"
-    );
-    assert!(
-        grain.contains("allowed 1.36 mm or more, or a finer mesh"),
-        "{grain}"
-    );
-    let heavy = refused(Projectile {
-        mass_g: 10.0,
-        diameter_mm: 3.0,
-        ..bb(62.5)
-    });
-    assert!(
-        heavy.starts_with("impact.speed_m_s: 62.5 m/s is too fast"),
-        "{heavy}"
-    );
+    let grain = refused(Projectile { mass_g: 1e-3, diameter_mm: 0.1, ..bb(62.5) });
+    assert!(grain.starts_with("impact.diameter_mm: 0.10 mm is narrower"), "{grain}");
+    assert!(grain.contains("allowed 1.36 mm or more, or a finer mesh"), "{grain}");
+    let heavy = refused(Projectile { mass_g: 10.0, diameter_mm: 3.0, ..bb(62.5) });
+    assert!(heavy.starts_with("impact.speed_m_s: 62.5 m/s is too fast"), "{heavy}");
 }
 
 #[test]
@@ -118,15 +83,10 @@ fn its_own_step_may_be_asked_for_but_no_other_integrator() {
 fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy() {
     let mut answer = answered(&scene(bb(56.0)));
     let results = answer.results();
-    let missing: Vec<_> = Quantity::ALL
-        .iter()
-        .filter(|of| results[**of].is_none())
-        .collect();
+    let missing: Vec<_> = Quantity::ALL.iter().filter(|of| results[**of].is_none()).collect();
     assert_eq!(missing, [&Quantity::StoredEnergy]);
-    let (pressure, stress) = (
-        results[Quantity::Pressure].unwrap(),
-        results[Quantity::ScleralStress].unwrap(),
-    );
+    let (pressure, stress) =
+        (results[Quantity::Pressure].unwrap(), results[Quantity::ScleralStress].unwrap());
     assert!((0.3..2.0).contains(&pressure), "{pressure} MPa");
     assert!((5.0..30.0).contains(&stress), "{stress} MPa");
     assert!(answer.errors.energy_balance < 1.0);
@@ -141,17 +101,11 @@ fn a_bb_gives_every_result_that_the_axisymmetric_eye_has_and_closes_its_energy()
 #[test]
 fn a_stated_step_error_covers_the_difference_from_a_far_finer_run() {
     for (projectile, angle_deg) in [(bb(56.0), 0.0), (bb(92.0), 30.0)] {
-        let mut scenario = scene(Projectile {
-            angle_deg,
-            ..projectile
-        });
+        let mut scenario = scene(Projectile { angle_deg, ..projectile });
         scenario.window_ms = Some(0.5);
         let answer = answered(&scenario);
         let case = &answer.case;
-        let finer = Plan {
-            multiple: 12.5,
-            ..answer.plan
-        };
+        let finer = Plan { multiple: 12.5, ..answer.plan };
         let exact = case.run(&finer, Keep::default(), &mut unwatched).unwrap();
         let exact = case.results(&exact);
         let off = exact.difference_percent(&answer.results());
@@ -176,10 +130,7 @@ fn a_pulse_acts_on_it_too_and_has_no_result_of_an_object() {
 
 #[test]
 fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
-    let mut scenario = scene(Projectile {
-        angle_deg: 50.0,
-        ..bb(20.0)
-    });
+    let mut scenario = scene(Projectile { angle_deg: 50.0, ..bb(20.0) });
     scenario.window_ms = Some(0.05);
     let answer = answered(&scenario);
     let kinds: Vec<_> = answer.flags.iter().map(|flag| flag.kind).collect();
@@ -189,10 +140,7 @@ fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
 }
 
 fn short() -> Scenario {
-    Scenario {
-        window_ms: Some(0.1),
-        ..scene(bb(30.0))
-    }
+    Scenario { window_ms: Some(0.1), ..scene(bb(30.0)) }
 }
 
 #[test]
@@ -207,21 +155,13 @@ fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         let pool = pool.build().unwrap();
         let stop = AtomicBool::new(false);
-        pool.install(|| {
-            run(&checked, (16, 1), None, &stop, &|_| {
-                ControlFlow::Continue(())
-            })
-        })
-        .unwrap()
+        pool.install(|| run(&checked, (16, 1), None, &stop, &|_| ControlFlow::Continue(())))
+            .unwrap()
     };
     let ensemble = on(2);
     assert_eq!(ensemble.samples, on(1).samples);
     assert_eq!(ensemble.samples.len(), 16);
-    for of in [
-        Quantity::Contact,
-        Quantity::ScleralStress,
-        Quantity::Rebound,
-    ] {
+    for of in [Quantity::Contact, Quantity::ScleralStress, Quantity::Rebound] {
         let band = ensemble.band(of).unwrap();
         assert!(band.low < band.median && band.median < band.high, "{of:?}");
     }
@@ -237,10 +177,7 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
     use crate::scenario::fields::find;
     use std::sync::atomic::AtomicBool;
     let axis = |text: &str| SweepAxis::read(text).unwrap();
-    let axes = vec![
-        axis("model.support=Orbit,Free"),
-        axis("impact.speed_m_s=20,40"),
-    ];
+    let axes = vec![axis("model.support=Orbit,Free"), axis("impact.speed_m_s=20,40")];
     let sweep = Sweep::new(short(), axes).unwrap();
     let row = |i| sweep.run(i, &mut unwatched).unwrap().outcome.unwrap();
     let (slow, fast) = (row(0), row(1));
@@ -249,21 +186,11 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
     assert!(slow.check.unwrap().last <= 1.0);
     assert!(row(3).values[Quantity::StoredEnergy].is_none());
 
-    let span = |path, from, to| Span {
-        field: find(path).unwrap(),
-        from,
-        to,
-    };
-    let spans = (
-        span("impact.speed_m_s", 10.0, 40.0),
-        span("impact.angle_deg", 0.0, 100.0),
-    );
+    let span = |path, from, to| Span { field: find(path).unwrap(), from, to };
+    let spans = (span("impact.speed_m_s", 10.0, 40.0), span("impact.angle_deg", 0.0, 100.0));
     let go = |_: &Grid| ControlFlow::Continue(());
     let grid = fill(&short(), spans, Grid::new(3), &AtomicBool::new(false), &go);
-    let value = |at| {
-        grid.at(at)
-            .and_then(|spot| spot.value(Quantity::ScleralStress))
-    };
+    let value = |at| grid.at(at).and_then(|spot| spot.value(Quantity::ScleralStress));
     assert!(value((0, 0)).unwrap() < value((2, 0)).unwrap());
     assert_eq!(grid.at((0, 2)), Some(&Spot::Refused), "beyond 90 degrees");
 }
@@ -271,8 +198,7 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
 #[test]
 fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
     use crate::answer::compiled::Compiled;
-    use crate::many::accuracy::Trial;
-    use crate::many::accuracy::measure;
+    use crate::many::accuracy::{Trial, measure};
     use crate::run::rules::Element;
     let checked = short().check().unwrap();
     let accuracy = measure(&checked, 1, None, &mut unwatched, &mut |_| {}).unwrap();
@@ -286,9 +212,7 @@ fn its_accuracy_is_measured_over_shares_of_its_own_bound_and_over_its_levels() {
             assert!(shorter.elements > longer.elements);
         }
     }
-    let integrators = accuracy
-        .trials
-        .chunk_by(|a, b| a.plan.integrator == b.plan.integrator);
+    let integrators = accuracy.trials.chunk_by(|a, b| a.plan.integrator == b.plan.integrator);
     assert_eq!(integrators.count(), 2);
     let (coarse, fine) = (&accuracy.levels[0], &accuracy.levels[1]);
     assert!(fine.elements > coarse.elements && accuracy.levels.len() == 3);
@@ -323,17 +247,12 @@ fn a_crushed_front_says_how_many_cells_folded_and_where() {
 #[test]
 fn neighbouring_angles_have_neighbouring_stresses_where_the_sclera_comes_under_the_object() {
     let stress = |angle_deg: f64| {
-        let mut turned = scene(Projectile {
-            angle_deg,
-            ..bb(62.5)
-        });
+        let mut turned = scene(Projectile { angle_deg, ..bb(62.5) });
         turned.window_ms = Some(0.4);
         let value = answered(&turned).result(Quantity::ScleralStress);
         value.unwrap()
     };
-    let stresses: Vec<f64> = (0..=20)
-        .map(|i| stress(24.0 + 0.25 * f64::from(i)))
-        .collect();
+    let stresses: Vec<f64> = (0..=20).map(|i| stress(24.0 + 0.25 * f64::from(i))).collect();
     for pair in stresses.windows(2) {
         assert!((pair[1] / pair[0] - 1.0).abs() < 0.02, "{stresses:?}");
     }
@@ -350,12 +269,7 @@ fn what_bone_or_the_cup_keeps_off_the_eye_does_nothing_and_is_said_to() {
     });
     set(&mut wide, "model.support", "Gelatin").unwrap();
     let answer = answered(&wide);
-    for quantity in [
-        Quantity::Damage,
-        Quantity::Energy,
-        Quantity::Pressure,
-        Quantity::Contact,
-    ] {
+    for quantity in [Quantity::Damage, Quantity::Energy, Quantity::Pressure, Quantity::Contact] {
         assert_eq!(answer.result(quantity), Some(0.0), "{quantity:?}");
     }
     assert!(answer.errors.time_step_percent().unwrap() < 0.1);
@@ -381,10 +295,7 @@ fn a_tolerance_chooses_level_and_step_or_says_why_it_cannot() {
 #[test]
 fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
     use crate::run::kept::Spacing;
-    let keep = Keep {
-        traces: true,
-        frames: Some(Spacing::even(7e-6)),
-    };
+    let keep = Keep { traces: true, frames: Some(Spacing::even(7e-6)) };
     let answer = answered_with(&short(), keep);
     assert_eq!(answer.run.frames.len(), 15);
     for (i, frame) in answer.run.frames.iter().enumerate() {

@@ -4,11 +4,8 @@
 //! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and
 //! wall.
 
-use crate::models::axisymmetric::case::AxisymmetricCase;
-use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::eye::mesh::Block;
-use crate::models::axisymmetric::recording::sensor::monitored;
-use crate::models::axisymmetric::time::run::AxisymmetricLoad;
+use crate::models::axisymmetric::{case::AxisymmetricCase, eye::AxisymmetricEye, eye::mesh::Block};
+use crate::models::axisymmetric::{recording::sensor::monitored, time::run::AxisymmetricLoad};
 use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, Outlines, reach};
 use crate::run::places::Region;
 use nalgebra::{Point2, Vector2};
@@ -90,10 +87,7 @@ fn outlines(eye: &AxisymmetricEye, image: &[usize]) -> Outlines {
     // Both halves have the nodes on the axis.
     let around = |half: &[usize], ends: usize| {
         let other = half[..half.len() - 1].iter().skip(ends).rev();
-        half.iter()
-            .copied()
-            .chain(other.map(|node| image[*node]))
-            .collect()
+        half.iter().copied().chain(other.map(|node| image[*node])).collect()
     };
     let shell: Vec<usize> = around(&mesh.shell, 1);
     let thickness = |node: &usize| {
@@ -103,31 +97,15 @@ fn outlines(eye: &AxisymmetricEye, image: &[usize]) -> Outlines {
     let half: Vec<f64> = mesh.shell.iter().map(thickness).collect();
     let other = half[1..half.len() - 1].iter().rev().copied();
     let free: Vec<usize> = mesh.blocks.get(2).map_or_else(Vec::new, |block| {
-        block
-            .nodes
-            .iter()
-            .step_by(block.columns)
-            .rev()
-            .copied()
-            .collect()
+        block.nodes.iter().step_by(block.columns).rev().copied().collect()
     });
     Outlines {
         thickness: half.iter().copied().chain(other).collect(),
         shell,
         limbus: eye.parameters.shell.limbus,
-        wall: if mesh.wall.is_empty() {
-            Vec::new()
-        } else {
-            around(&mesh.wall, 0)
-        },
-        free: [
-            free.clone(),
-            free.into_iter().map(|node| image[node]).collect(),
-        ],
-        bone: eye
-            .parameters
-            .surround
-            .is_some_and(|around| around.wall.is_bone()),
+        wall: if mesh.wall.is_empty() { Vec::new() } else { around(&mesh.wall, 0) },
+        free: [free.clone(), free.into_iter().map(|node| image[node]).collect()],
+        bone: eye.parameters.surround.is_some_and(|around| around.wall.is_bone()),
     }
 }
 
@@ -148,9 +126,7 @@ fn half_section(eye: &AxisymmetricEye) -> (Vec<Line>, BTreeSet<usize>) {
     let mut sides: BTreeMap<(usize, usize), usize> = BTreeMap::new();
     for cell in eye.cells.iter().filter(|cell| cell.lens > 0.5) {
         for i in 0..4 {
-            *sides
-                .entry(sorted(cell.corners[i], cell.corners[(i + 1) % 4]))
-                .or_default() += 1;
+            *sides.entry(sorted(cell.corners[i], cell.corners[(i + 1) % 4])).or_default() += 1;
         }
     }
     let on_axis = |node: usize| eye.at(node).1 == 0.0;
@@ -161,11 +137,7 @@ fn half_section(eye: &AxisymmetricEye) -> (Vec<Line>, BTreeSet<usize>) {
     }
     let mut crossings = BTreeSet::new();
     for (i, block) in eye.mesh.blocks.iter().enumerate() {
-        let region = if i == 2 {
-            Region::Fat
-        } else {
-            Region::Interior
-        };
+        let region = if i == 2 { Region::Fat } else { Region::Interior };
         let (lines, corners) = coarse_lines(block, eye.level);
         crossings.extend(corners);
         for (a, b) in lines {
@@ -181,9 +153,7 @@ fn coarse_lines(block: &Block, level: u32) -> (Vec<(usize, usize)>, Vec<usize>) 
     let chosen = |intervals: usize| -> BTreeSet<usize> {
         // The mesh of level k has (2k + 2)/4 times as many cells along each side as that of level
         // 1.
-        let coarse = (2.0 * intervals as f64 / f64::from(level + 1))
-            .round()
-            .max(1.0);
+        let coarse = (2.0 * intervals as f64 / f64::from(level + 1)).round().max(1.0);
         let place = |i: usize| (i as f64 * intervals as f64 / coarse).round() as usize;
         (0..=coarse as usize).map(place).collect()
     };
@@ -216,10 +186,7 @@ mod tests {
         }));
         scenario.window_ms = Some(0.05);
         scenario.numerics.geometry = Geometry::Axisymmetric;
-        let keep = Keep {
-            traces: false,
-            frames: Some(Spacing::even(1e-5)),
-        };
+        let keep = Keep { traces: false, frames: Some(Spacing::even(1e-5)) };
         let answer = answered_with(&scenario, keep);
         let drawing = answer.case.eye.drawing();
         let (first, last) = (&answer.run.frames[0], answer.run.frames.last().unwrap());
@@ -236,9 +203,8 @@ mod tests {
         // Every line has a mirror image about the line of the blow.
         let along = Vector2::new(30f64.to_radians().cos(), -30f64.to_radians().sin());
         let across = |p: Point2<f64>| p.coords.perp(&along);
-        let sum: f64 = (0..drawing.nodes.len())
-            .map(|node| across(drawing.place(last, node, 1.0)))
-            .sum();
+        let sum: f64 =
+            (0..drawing.nodes.len()).map(|node| across(drawing.place(last, node, 1.0))).sum();
         assert!(sum.abs() < 1e-9, "{sum}");
     }
 }

@@ -1,14 +1,10 @@
 //! What a reader must know before trusting a result of the axisymmetric eye.
 
-use crate::models::axisymmetric::case::AxisymmetricCase;
-use crate::models::axisymmetric::recording::results::Extremes;
 use crate::models::axisymmetric::time::until::Until;
+use crate::models::axisymmetric::{case::AxisymmetricCase, recording::results::Extremes};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, PRESSED_FLAT};
-use crate::run::quantity::Quantity;
-use crate::run::raised::Raised;
-use crate::run::readings::Readings;
-use crate::scenario::TRUSTED_ANGLE_DEG;
-use crate::scenario::problem::plain;
+use crate::run::{quantity::Quantity, raised::Raised, readings::Readings};
+use crate::scenario::{TRUSTED_ANGLE_DEG, problem::plain};
 
 /// The share by which the hardest shot of the experiments, a steel ball at 66.5 m/s, shortens the
 /// eye of this model.
@@ -31,11 +27,7 @@ pub(crate) fn raise(
             ),
         );
     }
-    let asked = Asked {
-        window: case.window,
-        pulse: case.pulse(),
-        rim: case.rim,
-    };
+    let asked = Asked { window: case.window, pulse: case.pulse(), rim: case.rim };
     of_blow(&asked, extremes, (readings, simulated), &mut raised);
     raised.flags()
 }
@@ -74,10 +66,7 @@ pub(crate) fn of_blow(
             ),
         );
         if extremes.missed() {
-            raised.raise(
-                FlagKind::EyeMissed,
-                format!("{rim} kept the projectile off the eye"),
-            );
+            raised.raise(FlagKind::EyeMissed, format!("{rim} kept the projectile off the eye"));
         }
     }
     if let Some(time) = extremes.crushed_at {

@@ -1,17 +1,14 @@
 //! Forces against differences of energy, and closed forms.
 
-use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
-use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{
     BallSpring, HARD, MovingObject, Object, ObjectOutline, ObjectSurface,
 };
-use crate::models::axisymmetric::forces::plain::PlainCells;
-use crate::models::axisymmetric::forces::rows::CellRows;
-use crate::models::axisymmetric::forces::shell::Shell;
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
+use crate::models::axisymmetric::forces::{plain::PlainCells, rows::CellRows, shell::Shell};
+use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::contact::Target};
 use crate::models::paper::forces::kernel::vector_sets;
 use fearless_simd::Level;
 use proptest::prelude::*;
@@ -19,10 +16,7 @@ use std::fmt::Debug;
 use std::sync::LazyLock;
 
 fn eye(surround: Option<Surround>, level: u32) -> AxisymmetricEye {
-    let parameters = Parameters {
-        surround,
-        ..Parameters::default()
-    };
+    let parameters = Parameters { surround, ..Parameters::default() };
     AxisymmetricEye::new(&parameters, level)
 }
 
@@ -36,13 +30,7 @@ fn shell_at_rest(eye: &AxisymmetricEye) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn sphere(surface: ObjectSurface) -> Object {
-    Object {
-        outline: ObjectOutline::Sphere(5e-3),
-        mass: 1e-3,
-        speed: 10.0,
-        surface,
-        spring: None,
-    }
+    Object { outline: ObjectOutline::Sphere(5e-3), mass: 1e-3, speed: 10.0, surface, spring: None }
 }
 
 /// Largest difference of `forces` from minus the slope of `energy`, over the largest force.
@@ -140,10 +128,7 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
         let hollow = ObjectSurface::capped(1e9, 2e5, 5e-3);
         for surface in [ObjectSurface::RIGID, soft, hollow] {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
-                let object = Object {
-                    outline,
-                    ..sphere(surface)
-                };
+                let object = Object { outline, ..sphere(surface) };
                 let respond = |at: &[f64]| {
                     let mut projectile = MovingObject::new(&object, -12e-3 + depth);
                     projectile.v = [0.0; 2];
@@ -219,23 +204,14 @@ fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
         lost += projectile.advance(step, step);
         let gone = projectile.x[0] + object.reach() < -0.1 * object.reach();
         if gone && projectile.velocity() < 0.0 {
-            return (
-                -projectile.velocity() / object.speed,
-                strongest,
-                missing / brought,
-            );
+            return (-projectile.velocity() / object.speed, strongest, missing / brought);
         }
     }
 }
 
 /// A ball of 20 g and 40 mm at 15 m/s.
 fn ball(surface: ObjectSurface) -> Object {
-    Object {
-        outline: ObjectOutline::Sphere(20e-3),
-        mass: 20e-3,
-        speed: 15.0,
-        ..sphere(surface)
-    }
+    Object { outline: ObjectOutline::Sphere(20e-3), mass: 20e-3, speed: 15.0, ..sphere(surface) }
 }
 
 #[test]
@@ -273,10 +249,7 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
             mass,
             speed,
             surface: ObjectSurface::RIGID,
-            spring: Some(BallSpring {
-                stiffness,
-                restitution,
-            }),
+            spring: Some(BallSpring { stiffness, restitution }),
         };
         // The surface itself, a twentieth of the mass, stays where it strikes.
         let mut projectile = MovingObject::new(&object, 0.0);
@@ -295,10 +268,7 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
         }
         let core = 0.95 * mass;
         let expected = (stiffness * core).sqrt() * speed;
-        assert!(
-            (strongest / expected - 1.0).abs() < 0.01,
-            "{strongest} {expected}"
-        );
+        assert!((strongest / expected - 1.0).abs() < 0.01, "{strongest} {expected}");
         let back = -projectile.velocity() / speed;
         assert!((back - 0.95 * restitution).abs() < 0.03, "{back}");
     }
@@ -311,11 +281,7 @@ fn free_and_even() -> Parameters {
     for point in &mut shell.sclera_thickness {
         point.1 = 0.5e-3;
     }
-    Parameters {
-        shell,
-        surround: None,
-        ..Parameters::default()
-    }
+    Parameters { shell, surround: None, ..Parameters::default() }
 }
 
 #[test]
@@ -383,14 +349,7 @@ fn shaken(cells: &dyn Cells, eye: &AxisymmetricEye) -> NodeState {
 }
 
 fn numbers(sums: &CellSums) -> [f64; 6] {
-    [
-        sums.limit,
-        sums.loss,
-        sums.pressure,
-        sums.sensor,
-        sums.volume,
-        sums.least_corner,
-    ]
+    [sums.limit, sums.loss, sums.pressure, sums.sensor, sums.volume, sums.least_corner]
 }
 
 fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
@@ -407,15 +366,9 @@ fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
         let place = cells.place(node);
         (state.x[place], state.r[place])
     };
-    let each = eye
-        .cells
-        .iter()
-        .map(|cell| least_triangle(&eye, &cell.corners, at));
+    let each = eye.cells.iter().map(|cell| least_triangle(&eye, &cell.corners, at));
     let least = each.fold(f64::INFINITY, f64::min);
-    assert!(
-        least != 1.0 && (least - whole).abs() < 1e-9,
-        "{least} {whole}"
-    );
+    assert!(least != 1.0 && (least - whole).abs() < 1e-9, "{least} {whole}");
 }
 
 #[test]
@@ -495,10 +448,7 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
         }
     }
     let quarter = passed.expect("it swings back");
-    assert!(
-        (4.0 * quarter / period - 1.0).abs() < 0.02,
-        "{quarter:e} {period:e}"
-    );
+    assert!((4.0 * quarter / period - 1.0).abs() < 0.02, "{quarter:e} {period:e}");
 }
 
 /// The theorem of Irons and Treharne: no frequency of the whole is above the highest of its parts.
@@ -510,11 +460,8 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
         let eye = eye(surround, 1);
         for cell in &eye.cells {
             let rest = Rest::new(&eye, cell);
-            let at: Vec<f64> = cell
-                .corners
-                .iter()
-                .flat_map(|&node| [eye.at(node).0, eye.at(node).1])
-                .collect();
+            let at: Vec<f64> =
+                cell.corners.iter().flat_map(|&node| [eye.at(node).0, eye.at(node).1]).collect();
             let p = corners(&at);
             let centre = (
                 0.25 * p.iter().map(|p| p.0).sum::<f64>(),
@@ -551,17 +498,13 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
             };
             let (dx, dv) = (1e-8, 1e-6);
             let square = largest(&|k| {
-                let (a, b) = (
-                    force(&changed(&at, k, -dx), &still),
-                    force(&changed(&at, k, dx), &still),
-                );
+                let (a, b) =
+                    (force(&changed(&at, k, -dx), &still), force(&changed(&at, k, dx), &still));
                 a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dx)).collect()
             });
             let damping = largest(&|k| {
-                let (a, b) = (
-                    force(&at, &changed(&still, k, -dv)),
-                    force(&at, &changed(&still, k, dv)),
-                );
+                let (a, b) =
+                    (force(&at, &changed(&still, k, -dv)), force(&at, &changed(&still, k, dv)));
                 a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dv)).collect()
             });
             let h = rest.respond(p, [(0.0, 0.0); 4]).limit;
@@ -577,9 +520,7 @@ fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
     let held = AxisymmetricEye::new(&Parameters::default(), 1);
     let globe = |eye: &AxisymmetricEye| {
         let cells = eye.cells.iter();
-        cells
-            .filter(|c| c.region == crate::models::axisymmetric::eye::Tissue::Globe)
-            .count()
+        cells.filter(|c| c.region == crate::models::axisymmetric::eye::Tissue::Globe).count()
     };
     assert_eq!(globe(&free), free.cells.len());
     assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());

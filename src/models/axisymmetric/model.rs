@@ -1,18 +1,12 @@
 //! The axisymmetric model behind the trait that every model fills.
 
 use crate::models::axisymmetric as engine;
-use crate::models::axisymmetric::case::AxisymmetricCase;
-use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::rules::RULES;
+use crate::models::axisymmetric::{case::AxisymmetricCase, eye::AxisymmetricEye, rules::RULES};
 use crate::models::axisymmetric::{drawing, flags, readings};
-use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::places::Region;
 use crate::run::plan::{Cost, Plan};
-use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
-use crate::run::watch::Watch;
+use crate::run::{drawing::Drawing, places::Region, refusal::Refusal, rules::Rules, watch::Watch};
 use crate::scenario::Integrator;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -36,11 +30,7 @@ impl EyeModel for AxisymmetricCase {
 
     fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
         let eye = AxisymmetricEye::new(&self.eye.parameters, level);
-        Arc::new(Self {
-            limit: engine::step_limit(&eye, &self.load),
-            eye,
-            ..self.clone()
-        })
+        Arc::new(Self { limit: engine::step_limit(&eye, &self.load), eye, ..self.clone() })
     }
 
     fn regions(&self) -> Vec<Region> {
@@ -57,14 +47,8 @@ impl EyeModel for AxisymmetricCase {
 
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
         let steps = engine::Steps::by(plan, self.limit, &RULES)?;
-        let run = engine::run(
-            &self.eye,
-            &self.load,
-            self.window.within(plan.window),
-            steps,
-            keep,
-            watch,
-        );
+        let run =
+            engine::run(&self.eye, &self.load, self.window.within(plan.window), steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
         let extremes = &run.extremes;
         let readings = readings::of(extremes);
@@ -79,10 +63,7 @@ impl EyeModel for AxisymmetricCase {
             simulated: run.simulated,
             traces: run.traces,
             frames: run.frames,
-            cost: Cost {
-                steps: run.steps,
-                evaluations: run.steps + 1,
-            },
+            cost: Cost { steps: run.steps, evaluations: run.steps + 1 },
         })
     }
 

@@ -2,9 +2,8 @@
 
 use crate::models::axisymmetric::recording::results::Extremes;
 use crate::run::model::{Detail, Shown};
-use crate::run::places::Monitor;
-use crate::run::quantity::Quantity;
 use crate::run::readings::{Reading, Readings};
+use crate::run::{places::Monitor, quantity::Quantity};
 
 /// The readings of a run. The paper's S, the growth of the shell's length, is that of the
 /// meridian, which a section shows as the shell; its M is that of the largest diameter across the

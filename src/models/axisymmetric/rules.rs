@@ -53,10 +53,8 @@ pub(crate) static RULES: Rules = Rules {
     silence: "none",
 };
 
-const AUTOMATIC: Automatic = Automatic {
-    integrator: Integrator::VelocityVerlet,
-    share: STEP_SHARE,
-};
+const AUTOMATIC: Automatic =
+    Automatic { integrator: Integrator::VelocityVerlet, share: STEP_SHARE };
 
 /// Read off random objects, and checked on others.
 fn scatter(of: Quantity) -> MeshScatter {
@@ -71,14 +69,8 @@ fn scatter(of: Quantity) -> MeshScatter {
         Quantity::EquatorStretch | Quantity::BackStretch => MeshScatter::within(0.10, 0.3),
         // What the lens does late, in a vitreous that hardly holds it, fades as the mesh gets
         // finer.
-        Quantity::LensPull => MeshScatter {
-            least: 0.1,
-            ..MeshScatter::within(0.6, 0.6)
-        },
-        Quantity::IrisPull => MeshScatter {
-            least: 0.2,
-            ..MeshScatter::within(0.35, 0.5)
-        },
+        Quantity::LensPull => MeshScatter { least: 0.1, ..MeshScatter::within(0.6, 0.6) },
+        Quantity::IrisPull => MeshScatter { least: 0.2, ..MeshScatter::within(0.35, 0.5) },
         Quantity::ScleralStress | Quantity::EdgeGrowth | Quantity::CornealEnergy => {
             MeshScatter::within(0.08, 0.3)
         }

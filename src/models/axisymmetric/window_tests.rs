@@ -2,9 +2,8 @@
 
 use crate::answer::solve::tests::{answered, answered_with};
 use crate::answer::solve::{Answer, Cut, solve};
-use crate::run::flags::FlagKind;
 use crate::run::kept::{Keep, Spacing};
-use crate::run::quantity::Quantity;
+use crate::run::{flags::FlagKind, quantity::Quantity};
 use crate::scenario::library::find;
 use crate::scenario::{ForcePulse, Impact, Model, Physiological, Scenario, Support};
 use proptest::prelude::*;
@@ -12,19 +11,11 @@ use std::ops::ControlFlow;
 
 const ALL: Keep = Keep {
     traces: true,
-    frames: Some(Spacing {
-        early: 20,
-        early_every: 10e-6,
-        every: 10e-6,
-        doubles: true,
-    }),
+    frames: Some(Spacing { early: 20, early_every: 10e-6, every: 10e-6, doubles: true }),
 };
 
 fn preset(name: &str, window_ms: Option<f64>) -> Scenario {
-    Scenario {
-        window_ms,
-        ..find(name).unwrap().scenario().unwrap()
-    }
+    Scenario { window_ms, ..find(name).unwrap().scenario().unwrap() }
 }
 
 fn raised(answer: &Answer, kind: FlagKind) -> bool {
@@ -44,11 +35,7 @@ fn a_run_that_ends_by_itself_reads_what_a_long_one_does() {
             let near = if own.peak(of).is_some() { 0.0 } else { 1e-3 };
             let (a, b) = (own.result(of), whole.result(of));
             let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
-            assert!(
-                (a - b).abs() <= near * b.abs(),
-                "{name} {} {a} {b}",
-                of.key()
-            );
+            assert!((a - b).abs() <= near * b.abs(), "{name} {} {a} {b}", of.key());
             assert_eq!(own.cut(of), None, "{name} {}", of.key());
         }
         assert!(!own.flags.iter().any(|f| f.kind.name().contains("window")));
@@ -104,11 +91,7 @@ fn a_long_pulse_is_never_cut() {
 fn struck(force_n: f64, duration_ms: f64) -> Answer {
     let scenario = Scenario {
         model: Model::Physiological(Physiological::default()),
-        impact: Impact::ForcePulse(ForcePulse {
-            force_n,
-            duration_ms,
-            ..ForcePulse::default()
-        }),
+        impact: Impact::ForcePulse(ForcePulse { force_n, duration_ms, ..ForcePulse::default() }),
         ..Scenario::default()
     };
     answered(&scenario)
@@ -123,11 +106,7 @@ fn an_eye_that_is_pressed_flat_ends_the_run_and_all_is_at_least() {
         let mesh = answer.errors.mesh.unwrap();
         assert_eq!(mesh.present().count(), 0, "{force_n} N");
         assert_eq!(answer.cut(Quantity::Pressure), Some(Cut::AtLeast));
-        assert!(
-            answer.run.cost.steps < 30_000,
-            "{} steps",
-            answer.run.cost.steps
-        );
+        assert!(answer.run.cost.steps < 30_000, "{} steps", answer.run.cost.steps);
     }
 }
 

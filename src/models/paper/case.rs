@@ -1,18 +1,11 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::ArcLoad;
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
-use crate::models::paper::recording::Recording;
 use crate::models::paper::recording::recorder::Recorder;
 use crate::models::paper::time::march::{Observer, march};
+use crate::models::paper::{eye::Eye, forces::kernel::Survey, forces::load::ArcLoad};
+use crate::models::paper::{forces::state::State, forces::system::System, recording::Recording};
 use crate::models::pulse::{Piece, Pulse};
-use crate::run::kept::Keep;
-use crate::run::plan::Plan;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{kept::Keep, plan::Plan, refusal::Refusal, watch::Watch};
 use crate::scenario::{CheckedScenario, EyeInput, ForcePulse};
 
 /// Steps between two calls of a watch.
@@ -92,14 +85,7 @@ impl PaperCase {
         let eye = Eye::build(eye_input);
         let load = ArcLoad::new(pulse, &eye);
         let system = System::new(&eye, Pulse::new(pulse), &load, whole, portable);
-        Self {
-            start: State::at_rest(&system),
-            eye,
-            load,
-            system,
-            window,
-            input,
-        }
+        Self { start: State::at_rest(&system), eye, load, system, window, input }
     }
 
     /// Moves the eye by `plan` and records it under the eyes of `watch`.

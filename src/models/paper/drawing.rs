@@ -3,10 +3,8 @@
 //! Of a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and
 //! wall.
 
-use crate::models::paper::case::PaperCase;
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::mesh::Node;
 use crate::models::paper::eye::springs::{Spring, SpringKind};
+use crate::models::paper::{case::PaperCase, eye::Eye, eye::mesh::Node};
 use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, Outlines, reach};
 use crate::run::places::Region;
 use std::f64::consts::TAU;
@@ -62,10 +60,7 @@ fn outlines(eye: &Eye) -> Outlines {
         nodes.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
         nodes
     };
-    let (shell, wall) = (
-        ring(Region::on_shell),
-        ring(|region| region == Region::Orbit),
-    );
+    let (shell, wall) = (ring(Region::on_shell), ring(|region| region == Region::Orbit));
     // What is free of the fat is a straight line from the wall's edge.
     let free = [wall.first(), wall.last()].map(|edge| {
         let apart = |node: usize, edge: usize| (around(node) - around(edge)).abs();
@@ -73,10 +68,7 @@ fn outlines(eye: &Eye) -> Outlines {
             let by = |a: &&usize, b: &&usize| apart(**a, edge).total_cmp(&apart(**b, edge));
             shell.iter().min_by(by).copied()
         };
-        edge.into_iter()
-            .flat_map(|&edge| [Some(edge), nearest(edge)])
-            .flatten()
-            .collect()
+        edge.into_iter().flat_map(|&edge| [Some(edge), nearest(edge)]).flatten().collect()
     });
     Outlines {
         thickness: vec![THICKNESS_M; shell.len()],
@@ -107,11 +99,8 @@ fn part(eye: &Eye, spring: &Spring) -> Option<Region> {
         return Some(Region::Shell);
     }
     let level = eye.level as usize;
-    let on_coarse_line = if along == 1 {
-        a.grid.1.is_multiple_of(level)
-    } else {
-        a.grid.0.is_multiple_of(level)
-    };
+    let on_coarse_line =
+        if along == 1 { a.grid.1.is_multiple_of(level) } else { a.grid.0.is_multiple_of(level) };
     if !on_coarse_line {
         return None;
     }

@@ -1,8 +1,6 @@
 //! Flags of a section.
 
-use crate::models::paper::case::PaperCase;
-use crate::models::paper::forces::load::ArcLoad;
-use crate::models::paper::recording::PaperExtremes;
+use crate::models::paper::{case::PaperCase, forces::load::ArcLoad, recording::PaperExtremes};
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::raised::Raised;
 

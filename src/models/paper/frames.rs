@@ -4,16 +4,12 @@
 
 use std::ops::ControlFlow;
 
-use crate::models::paper::case::PaperCase;
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
-use crate::models::paper::recording::frames::FrameTaker;
 use crate::models::paper::time::march::{Observer, march};
+use crate::models::paper::{case::PaperCase, forces::kernel::Survey, forces::state::State};
+use crate::models::paper::{forces::system::System, recording::frames::FrameTaker};
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
-use crate::run::plan::Plan;
-use crate::run::refusal::Refusal;
+use crate::run::{plan::Plan, refusal::Refusal};
 
 struct Stream<'a> {
     taker: FrameTaker,
@@ -66,11 +62,7 @@ pub(crate) fn frames(
         stopped: false,
     };
     march(&case.system, plan, &mut case.start.clone(), &mut stream)?;
-    if stream.stopped {
-        Err(Refusal::Cancelled)
-    } else {
-        Ok(())
-    }
+    if stream.stopped { Err(Refusal::Cancelled) } else { Ok(()) }
 }
 
 #[cfg(test)]
@@ -83,10 +75,7 @@ mod tests {
     #[test]
     fn the_same_frames_come_one_by_one_as_are_kept() {
         let spacing = Spacing::even(1e-5);
-        let keep = Keep {
-            traces: false,
-            frames: Some(spacing),
-        };
+        let keep = Keep { traces: false, frames: Some(spacing) };
         let kept = answered_with(&preset("paper-300n", &[("window_ms", "0.2")]), keep);
         let mut streamed = Vec::new();
         let take = &mut |frame| {
@@ -97,9 +86,6 @@ mod tests {
         assert_eq!(streamed.len(), 21);
         assert_eq!(streamed, kept.run.frames);
         let stop = &mut |_| ControlFlow::Break(());
-        assert!(matches!(
-            kept.case.frames(&kept.plan, spacing, stop),
-            Err(Refusal::Cancelled)
-        ));
+        assert!(matches!(kept.case.frames(&kept.plan, spacing, stop), Err(Refusal::Cancelled)));
     }
 }

@@ -1,17 +1,12 @@
 //! The Paper model behind the trait that every model fills.
 
-use crate::models::paper::case::PaperCase;
-use crate::models::paper::rules::RULES;
 use crate::models::paper::time::{second, stability};
+use crate::models::paper::{case::PaperCase, rules::RULES};
 use crate::models::paper::{drawing, flags, frames, readings};
-use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::places::Region;
-use crate::run::plan::Plan;
-use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
 use crate::run::watch::Watch;
+use crate::run::{drawing::Drawing, places::Region, plan::Plan, refusal::Refusal, rules::Rules};
 use crate::scenario::Integrator;
 use std::ops::ControlFlow;
 use std::sync::Arc;

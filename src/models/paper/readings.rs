@@ -1,12 +1,8 @@
 //! The table of what is read off the section, under the public names.
 
-use crate::models::paper::case::PaperCase;
-use crate::models::paper::flags::NEGLIGIBLE;
-use crate::models::paper::recording::PaperExtremes;
+use crate::models::paper::{case::PaperCase, flags::NEGLIGIBLE, recording::PaperExtremes};
 use crate::run::model::{Detail, Shown};
-use crate::run::places::Monitor;
-use crate::run::quantity::Quantity;
-use crate::run::readings::Readings;
+use crate::run::{places::Monitor, quantity::Quantity, readings::Readings};
 
 /// The readings of a run.
 pub(crate) fn of(e: &PaperExtremes) -> Readings {

@@ -14,15 +14,9 @@ pub(crate) static RULES: Rules = Rules {
     springs_an_element: 1.0,
     integrators: Integrator::ALL,
     // The share leaves room for a second, coarser run below the limit.
-    answer: Automatic {
-        integrator: Integrator::Srkn6b,
-        share: SHARE_OF_ANSWER,
-    },
+    answer: Automatic { integrator: Integrator::Srkn6b, share: SHARE_OF_ANSWER },
     // As accurate at the same cost, with fewer and longer steps to record.
-    alone: Automatic {
-        integrator: Integrator::Srkn11b,
-        share: LONGEST_SHARE,
-    },
+    alone: Automatic { integrator: Integrator::Srkn11b, share: LONGEST_SHARE },
     reference: Integrator::Srkn11b,
     // The automatic step is wasteful both ways among many runs: too short for the accuracy of a
     // stiff eye, too long for the pulse on a soft one.
@@ -74,16 +68,12 @@ const SHARE_OF_ANSWER: f64 = 0.8;
 fn scatter(of: Quantity) -> MeshScatter {
     match of {
         // The index and the vertical diameter are smoother than the rest.
-        Quantity::Damage | Quantity::MeridianGrowth => MeshScatter {
-            order: 2,
-            ..MeshScatter::within(0.055, 0.3)
-        },
+        Quantity::Damage | Quantity::MeridianGrowth => {
+            MeshScatter { order: 2, ..MeshScatter::within(0.055, 0.3) }
+        }
         // Finer shells crumple where level 1 stretches: hardly any growth is left, which only its
         // size bounds.
-        Quantity::ShellGrowth => MeshScatter {
-            least: 1e-3,
-            ..MeshScatter::within(0.5, 0.5)
-        },
+        Quantity::ShellGrowth => MeshScatter { least: 1e-3, ..MeshScatter::within(0.5, 0.5) },
         Quantity::Energy => MeshScatter::within(0.08, 0.3),
         Quantity::ForceCentre => MeshScatter::within(0.1, 0.3),
         Quantity::ForceFront => MeshScatter::within(0.25, 0.3),

@@ -1,13 +1,9 @@
 //! An eye in three dimensions, ready to be hit.
 
 use crate::models::axisymmetric::case::{LONGEST, object, parameters, refused};
-use crate::models::axisymmetric::eye::parameters::Parameters;
-use crate::models::axisymmetric::forces::object::Object;
-use crate::models::axisymmetric::time::march::Stop;
-use crate::models::axisymmetric::time::until::Until;
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::mesh::Extent;
-use crate::models::spatial::eye::orbit::OrbitRim;
+use crate::models::axisymmetric::time::{march::Stop, until::Until};
+use crate::models::axisymmetric::{eye::parameters::Parameters, forces::object::Object};
+use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
 use crate::models::spatial::forces::object::Aim;
 use crate::models::spatial::time::run::{SpatialBlow, step_limit};
 use crate::run::refusal::Refusal;
@@ -62,11 +58,7 @@ impl Scene {
     /// axis and what holds the globe is round.
     pub fn needs(&self) -> Extent {
         let round = self.parameters.surround.is_none() || self.rim.is_none_or(|rim| rim.is_round());
-        if round && self.aim.out_of_plane().abs() < IN_PLANE {
-            Extent::Half
-        } else {
-            Extent::Full
-        }
+        if round && self.aim.out_of_plane().abs() < IN_PLANE { Extent::Half } else { Extent::Full }
     }
 }
 
@@ -98,11 +90,7 @@ impl SpatialCase {
             Extent::Full => 0.0,
         };
         let eye = SpatialEye::new(&scene.parameters, scene.rim, extent, scene.level);
-        let blow = SpatialBlow {
-            object: scene.object,
-            aim: scene.aim,
-            up,
-        };
+        let blow = SpatialBlow { object: scene.object, aim: scene.aim, up };
         Self {
             limit: step_limit(&eye, &blow),
             measured: scene.rim,
@@ -116,21 +104,13 @@ impl SpatialCase {
     pub(super) fn on_level(&self, level: u32) -> Self {
         let eye = &self.eye;
         let eye = SpatialEye::new(&eye.parameters, self.measured, eye.extent, level);
-        Self {
-            limit: step_limit(&eye, &self.blow),
-            eye,
-            ..self.clone()
-        }
+        Self { limit: step_limit(&eye, &self.blow), eye, ..self.clone() }
     }
 
     /// Why there is no result.
     pub(super) fn refused(&self, stop: Stop) -> Refusal {
         // Quads of the cornea are the first that anything goes through.
-        let front = self
-            .eye
-            .quads
-            .iter()
-            .min_by(|a, b| a.seen.0.total_cmp(&b.seen.0));
+        let front = self.eye.quads.iter().min_by(|a, b| a.seen.0.total_cmp(&b.seen.0));
         let apart = front.map_or(0.0, |quad| {
             let [a, b, ..] = quad.corners.map(|node| self.eye.mesh.at[node]);
             (b - a).norm()

@@ -1,7 +1,6 @@
 //! The picture of the eye in three dimensions: its section in the plane of the blow.
 
-use crate::models::spatial::case::SpatialCase;
-use crate::models::spatial::recording::section::Section;
+use crate::models::spatial::{case::SpatialCase, recording::section::Section};
 use crate::run::drawing::{Drawing, DrawnCell, DrawnNode, Line, Outlines, reach};
 use crate::run::places::Region;
 use nalgebra::{Point2, Vector2};
@@ -17,27 +16,18 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
     let shown = section.shown(case.blow.in_mesh().way());
     let along = Vector2::new(shown.x, shown.y);
     let lines = lines(&section);
-    let nodes = section
-        .points
-        .iter()
-        .enumerate()
-        .map(|(of, point)| DrawnNode {
-            region: point.region,
-            coarse: true,
-            of,
-            rest: point.rest,
-            mirrored: false,
-        });
+    let nodes = section.points.iter().enumerate().map(|(of, point)| DrawnNode {
+        region: point.region,
+        coarse: true,
+        of,
+        rest: point.rest,
+        mirrored: false,
+    });
     let nodes: Vec<DrawnNode> = nodes.collect();
     let reach = reach(nodes.iter().map(|node| node.rest));
     let cells = section.cells.iter().enumerate();
     Drawing {
-        cells: cells
-            .map(|(of, (corners, _))| DrawnCell {
-                corners: *corners,
-                of,
-            })
-            .collect(),
+        cells: cells.map(|(of, (corners, _))| DrawnCell { corners: *corners, of }).collect(),
         outlines: outlines(case, &section),
         monitors: section.monitors,
         loaded: Vec::new(),
@@ -84,9 +74,7 @@ fn outlines(case: &SpatialCase, section: &Section) -> Outlines {
         limbus: parameters.shell.limbus,
         wall: around(&section.wall, 0),
         free: section.free.clone(),
-        bone: parameters
-            .surround
-            .is_some_and(|around| around.wall.is_bone()),
+        bone: parameters.surround.is_some_and(|around| around.wall.is_bone()),
     }
 }
 

@@ -2,11 +2,9 @@
 
 use crate::models::axisymmetric::case::ORBITS_RIM;
 use crate::models::axisymmetric::flags::{Asked, of_blow};
-use crate::models::spatial::case::SpatialCase;
-use crate::models::spatial::recording::results::Extremes;
+use crate::models::spatial::{case::SpatialCase, recording::results::Extremes};
 use crate::run::flags::{Flag, FlagKind};
-use crate::run::raised::Raised;
-use crate::run::readings::Readings;
+use crate::run::{raised::Raised, readings::Readings};
 
 /// Energy of flight that breaks bone in half of all cases, in J: of a baseball at 13.9 m/s on the
 /// cheekbone, part of which squeezes the ball. Walls of orbits were computed to break at 16 to 41

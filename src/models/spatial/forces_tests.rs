@@ -1,25 +1,15 @@
 //! Forces against differences of energy, rigid motion, and what is the same for all vectors.
 
-#![expect(
-    clippy::needless_range_loop,
-    reason = "corners and components go together"
-)]
+#![expect(clippy::needless_range_loop, reason = "corners and components go together")]
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
 use crate::models::paper::forces::kernel::vector_sets;
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::mesh::Extent;
-use crate::models::spatial::eye::orbit::OrbitRim;
+use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
 use crate::models::spatial::forces::cell::{self, Eight, Fields};
-use crate::models::spatial::forces::contact::Target;
-use crate::models::spatial::forces::math::Plain;
-use crate::models::spatial::forces::object::MovingObject;
-use crate::models::spatial::forces::plain::PlainCells;
-use crate::models::spatial::forces::rim::Rim;
-use crate::models::spatial::forces::rows::CellRows;
-use crate::models::spatial::forces::shell::Shell;
 use crate::models::spatial::forces::state::{Cells, NodeState, vector};
+use crate::models::spatial::forces::{contact::Target, math::Plain, object::MovingObject};
+use crate::models::spatial::forces::{plain::PlainCells, rim::Rim, rows::CellRows, shell::Shell};
 use crate::scenario;
 use fearless_simd::Level;
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -27,10 +17,7 @@ use proptest::prelude::*;
 use std::sync::LazyLock;
 
 fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
-    let parameters = Parameters {
-        surround,
-        ..Parameters::default()
-    };
+    let parameters = Parameters { surround, ..Parameters::default() };
     SpatialEye::new(&parameters, None, extent, 1)
 }
 
@@ -201,10 +188,7 @@ fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
         }
     }
     // What rounding leaves of the corners' stiffness.
-    assert!(
-        inside < 1e-10 && outside > 1e5 * inside,
-        "{inside:e} {outside:e}"
-    );
+    assert!(inside < 1e-10 && outside > 1e5 * inside, "{inside:e} {outside:e}");
 }
 
 #[test]
@@ -242,13 +226,7 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
 }
 
 fn object(outline: ObjectOutline, surface: ObjectSurface) -> Object {
-    Object {
-        outline,
-        mass: 1e-3,
-        speed: 10.0,
-        surface,
-        spring: None,
-    }
+    Object { outline, mass: 1e-3, speed: 10.0, surface, spring: None }
 }
 
 #[test]
@@ -256,10 +234,7 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let eye = eye(None, Extent::Full);
     let way = Vector3::new(1.0, -0.5, 0.3).normalize();
     let mut target = Target::new(&eye, 0.0);
-    for outline in [
-        ObjectOutline::Sphere(5e-3),
-        ObjectOutline::Cylinder(5e-3, 1e-3),
-    ] {
+    for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
         for surface in [
             ObjectSurface::RIGID,
             ObjectSurface::foundation(1e9, 5e-3),
@@ -274,9 +249,8 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
                     let mut projectile = MovingObject::new(&object, way, at);
                     projectile.speed = [Vector3::zeros(); 2];
                     let touch = target.forces(&object, &mut projectile, &mut state);
-                    let sum: Vector3<f64> = (0..eye.mesh.at.len())
-                        .map(|n| vector(&state.force, n))
-                        .sum();
+                    let sum: Vector3<f64> =
+                        (0..eye.mesh.at.len()).map(|n| vector(&state.force, n)).sum();
                     assert!((sum + projectile.force[0]).norm() <= 1e-9 * sum.norm());
                     assert!((sum - touch.force).norm() <= 1e-9 * sum.norm());
                     (touch, state)
@@ -301,10 +275,7 @@ fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
     let rim = Some(OrbitRim::from(&scenario::Rim::CAUCASIAN));
     let eye = SpatialEye::new(&parameters, rim, Extent::Full, 1);
     let rim = Rim::new(&eye).unwrap();
-    for outline in [
-        ObjectOutline::Sphere(20e-3),
-        ObjectOutline::Cylinder(20e-3, 2e-3),
-    ] {
+    for outline in [ObjectOutline::Sphere(20e-3), ObjectOutline::Cylinder(20e-3, 2e-3)] {
         for surface in [
             ObjectSurface::RIGID,
             ObjectSurface::foundation(1e8, 20e-3),

@@ -1,21 +1,14 @@
 //! The eye in three dimensions behind the trait that every model fills.
 
 use crate::models::axisymmetric;
-use crate::models::axisymmetric::time::march::Steps;
-use crate::models::axisymmetric::time::until::Until;
+use crate::models::axisymmetric::time::{march::Steps, until::Until};
 use crate::models::spatial as engine;
-use crate::models::spatial::case::SpatialCase;
-use crate::models::spatial::recording::section::Section;
-use crate::models::spatial::rules::RULES;
+use crate::models::spatial::{case::SpatialCase, recording::section::Section, rules::RULES};
 use crate::models::spatial::{drawing, flags, readings};
-use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::places::Region;
 use crate::run::plan::{Cost, Plan};
-use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
-use crate::run::watch::Watch;
+use crate::run::{drawing::Drawing, places::Region, refusal::Refusal, rules::Rules, watch::Watch};
 use crate::scenario::Integrator;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -73,10 +66,7 @@ impl EyeModel for SpatialCase {
             sectors: Some(extremes.sectors),
             traces: run.traces,
             frames: run.frames,
-            cost: Cost {
-                steps: run.steps,
-                evaluations: run.steps + 1,
-            },
+            cost: Cost { steps: run.steps, evaluations: run.steps + 1 },
         })
     }
 

@@ -1,8 +1,7 @@
 //! What is told of the eye in three dimensions beside the readings that every eye of cells has.
 
 use crate::models::axisymmetric::readings::common_details;
-use crate::models::spatial::case::SpatialCase;
-use crate::models::spatial::recording::results::Extremes;
+use crate::models::spatial::{case::SpatialCase, recording::results::Extremes};
 use crate::run::model::{Detail, Shown};
 use crate::run::quantity::Quantity;
 use crate::run::sectors::{HOURS, Sectors};
@@ -21,10 +20,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<D
         (front.to_degrees(), around)
     };
     let words = |(front, around): (f64, f64)| {
-        format!(
-            "{front:.0} deg from the front, towards {}",
-            place_name(around)
-        )
+        format!("{front:.0} deg from the front, towards {}", place_name(around))
     };
     let (stress, equator) = (place(e.stress_at), place(e.equator_at));
     let hour = |of: &[f64]| Sectors::strongest(of) as f64 * TAU / HOURS as f64;
@@ -35,11 +31,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<D
     };
     // A run ends when the readings have come to rest, which the globe as a whole need not have.
     let until = |time: f64, moving| {
-        if time > (1.0 - LAST) * simulated {
-            moving
-        } else {
-            "at most"
-        }
+        if time > (1.0 - LAST) * simulated { moving } else { "at most" }
     };
     let then = e.way_then * 1e3;
     let moved = format!(
@@ -53,11 +45,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<D
     let equator_words = Shown::Behind(Quantity::EquatorStretch, words(equator));
     let turned = until(e.turn.time, "and still turning as the run ended");
     let turned = Shown::About("Globe turned", format!("degrees {turned}"));
-    let (edge, lens, iris) = (
-        hour(&e.sectors.edge),
-        hour(&e.sectors.lens),
-        hour(&e.sectors.iris),
-    );
+    let (edge, lens, iris) = (hour(&e.sectors.edge), hour(&e.sectors.lens), hour(&e.sectors.iris));
     let mut details = vec![
         Detail::new("scleral_stress_angle_deg", stress.0, stress_words),
         Detail::data("scleral_stress_azimuth_deg", stress.1.to_degrees()),
@@ -68,11 +56,7 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<D
         most_towards("lens_pull_azimuth_deg", Quantity::LensPull, lens),
         most_towards("iris_pull_azimuth_deg", Quantity::IrisPull, iris),
         Detail::new("globe_turn_deg", e.turn.value.to_degrees(), turned),
-        Detail::new(
-            "globe_way_mm",
-            e.way.value * 1e3,
-            Shown::About("Globe moved", moved),
-        ),
+        Detail::new("globe_way_mm", e.way.value * 1e3, Shown::About("Globe moved", moved)),
     ];
     details.extend(common_details(&e.common));
     details.extend([

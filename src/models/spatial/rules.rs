@@ -40,11 +40,7 @@ pub(crate) static RULES: Rules = Rules {
         family: (Family::Motion, 0.1),
     },
     // A run takes a second: what a shorter step would better is far below the mesh error.
-    refinement: Refinement {
-        error_percent: 3.0,
-        balance_percent: 0.5,
-        attempts: 2,
-    },
+    refinement: Refinement { error_percent: 3.0, balance_percent: 0.5, attempts: 2 },
     mesh: MeshRules {
         finest: FINEST_SPATIAL_LEVEL,
         finest_in_study: 3,
@@ -61,10 +57,8 @@ pub(crate) static RULES: Rules = Rules {
     silence: "none",
 };
 
-const AUTOMATIC: Automatic = Automatic {
-    integrator: Integrator::VelocityVerlet,
-    share: STEP_SHARE,
-};
+const AUTOMATIC: Automatic =
+    Automatic { integrator: Integrator::VelocityVerlet, share: STEP_SHARE };
 
 /// Read off nine blows straight on in gelatin at levels 1 and 2 beside the axisymmetric eye, see
 /// the guide.
@@ -83,14 +77,8 @@ fn scatter(of: Quantity) -> MeshScatter {
         Quantity::BackStretch => MeshScatter::within(0.15, 0.5),
         Quantity::EdgeGrowth => MeshScatter::within(0.06, 0.4),
         Quantity::CornealEnergy => MeshScatter::within(0.2, 0.5),
-        Quantity::LensPull => MeshScatter {
-            least: 0.1,
-            ..MeshScatter::within(0.3, 0.6)
-        },
-        Quantity::IrisPull => MeshScatter {
-            least: 0.2,
-            ..MeshScatter::within(0.4, 0.7)
-        },
+        Quantity::LensPull => MeshScatter { least: 0.1, ..MeshScatter::within(0.3, 0.6) },
+        Quantity::IrisPull => MeshScatter { least: 0.2, ..MeshScatter::within(0.4, 0.7) },
         Quantity::LensWay => MeshScatter::within(0.4, 0.6),
         _ => MeshScatter::within(0.06, 0.3),
     }

@@ -1,23 +1,17 @@
 //! Whole blows: what must be kept, what must be the same, and the axisymmetric eye straight on.
 
-use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
-use crate::models::axisymmetric::recording::results::Extremes;
 use crate::models::axisymmetric::time::march::{CellLoop, STEP_SHARE};
 use crate::models::axisymmetric::time::run::{self as axisymmetric, AxisymmetricLoad};
 use crate::models::axisymmetric::time::until::Until;
+use crate::models::axisymmetric::{eye::AxisymmetricEye, recording::results::Extremes};
 use crate::models::spatial::case::{Scene, SpatialCase};
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::mesh::Extent;
-use crate::models::spatial::eye::orbit::OrbitRim;
-use crate::models::spatial::forces::object::Aim;
-use crate::models::spatial::recording::results::EngineRun;
+use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
 use crate::models::spatial::time::run::{SpatialBlow, run, run_as};
+use crate::models::spatial::{forces::object::Aim, recording::results::EngineRun};
 use crate::run::kept::{Keep, Spacing};
-use crate::run::model::EyeModel;
-use crate::run::quantity::Quantity;
-use crate::run::watch::unwatched;
+use crate::run::{model::EyeModel, quantity::Quantity, watch::unwatched};
 use crate::scenario::Rim;
 use nalgebra::Vector3;
 
@@ -30,10 +24,7 @@ const BB: Object = Object {
 };
 
 fn parameters(surround: Option<Surround>) -> Parameters {
-    Parameters {
-        surround,
-        ..Parameters::default()
-    }
+    Parameters { surround, ..Parameters::default() }
 }
 
 /// A blow from an angle and azimuth in degrees, beside the middle by some mm towards another.
@@ -94,11 +85,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
     for (a, b) in x.sectors.lens.iter().zip(y.sectors.lens) {
         assert!(near(*a, b), "{a} {b}");
     }
-    let blow = SpatialBlow {
-        object: BB,
-        aim,
-        up: 0.0,
-    };
+    let blow = SpatialBlow { object: BB, aim, up: 0.0 };
     let keep = Keep::default();
     let plain = CellLoop::Plain;
     let plain = run_as(plain, &half, &blow, 1e-4, STEP_SHARE, keep, &mut unwatched).unwrap();
@@ -111,11 +98,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
 fn a_mirrored_orbit_and_blow_give_the_mirror_image() {
     let rim = OrbitRim::from(&Rim::CAUCASIAN);
     let mirrored = |of: [f64; 4]| [of[0], of[3], of[2], of[1]];
-    let other = OrbitRim {
-        depth: mirrored(rim.depth),
-        gap: mirrored(rim.gap),
-        ..rim
-    };
+    let other = OrbitRim { depth: mirrored(rim.depth), gap: mirrored(rim.gap), ..rim };
     let fat = parameters(Some(Surround::orbit()));
     let of = |rim| SpatialEye::new(&fat, Some(rim), Extent::Full, 1);
     let a = hit(&of(rim), BB, aim(40.0, 120.0, 0.0, 0.0), 0.12);
@@ -158,20 +141,14 @@ fn an_eye_that_is_alike_on_all_sides_hardly_knows_its_mesh() {
     };
     let [front, near, far, side] = [0.0, 25.0, 45.0, 90.0].map(pressure);
     let apart = |a: f64| (a / front - 1.0).abs();
-    assert!(
-        apart(near) < 0.04 && apart(far) < 0.04,
-        "{front} {near} {far}"
-    );
+    assert!(apart(near) < 0.04 && apart(far) < 0.04, "{front} {near} {far}");
     // Rows lie farther apart at the side.
     assert!(apart(side) < 0.07, "{front} {side}");
 }
 
 #[test]
 fn straight_on_it_is_the_axisymmetric_eye_within_the_error_of_its_mesh() {
-    let pig = Parameters {
-        shell: ShellParameters::pig(),
-        ..parameters(None)
-    };
+    let pig = Parameters { shell: ShellParameters::pig(), ..parameters(None) };
     for (of, speed) in [
         (parameters(Some(Surround::gelatin())), 56.0),
         (parameters(Some(Surround::orbit())), 62.5),
@@ -241,25 +218,12 @@ fn the_socket_gives_readings_places_frames_and_a_picture_that_belong_together() 
         multiple: 1.0,
         local_tolerance: 1e-5,
     };
-    let keep = Keep {
-        traces: true,
-        frames: Some(Spacing::even(5e-5)),
-    };
+    let keep = Keep { traces: true, frames: Some(Spacing::even(5e-5)) };
     let run = case.run(&plan, keep, &mut unwatched).unwrap();
-    for of in [
-        Quantity::Pressure,
-        Quantity::EquatorStretch,
-        Quantity::LensPull,
-    ] {
+    for of in [Quantity::Pressure, Quantity::EquatorStretch, Quantity::LensPull] {
         assert!(run.readings.value(of).unwrap() > 0.0, "{}", of.label());
     }
-    assert!(
-        run.sectors
-            .unwrap()
-            .edge
-            .iter()
-            .all(|stretch| *stretch >= 0.0)
-    );
+    assert!(run.sectors.unwrap().edge.iter().all(|stretch| *stretch >= 0.0));
     let traces = run.traces.as_ref().unwrap();
     assert_eq!(traces.time.len(), traces.tissue[4].len());
     assert_eq!(run.frames.len(), 5);

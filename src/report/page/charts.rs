@@ -7,10 +7,7 @@ use plotters::prelude::*;
 use crate::answer::solve::Answer;
 use crate::injury::Blow;
 use crate::report::format::significant;
-use crate::run::quantity::Quantity;
-use crate::run::result_trace::Group;
-use crate::run::trace::OtherTrace;
-use crate::run::trace::Trace;
+use crate::run::{quantity::Quantity, result_trace::Group, trace::OtherTrace, trace::Trace};
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -136,12 +133,8 @@ fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
     if values.iter().all(|value| *value == 0.0) {
         return None;
     }
-    let all: Vec<(f64, f64)> = traces
-        .time
-        .iter()
-        .zip(values)
-        .map(|(t, value)| (t * 1e3, value * row.factor))
-        .collect();
+    let all: Vec<(f64, f64)> =
+        traces.time.iter().zip(values).map(|(t, value)| (t * 1e3, value * row.factor)).collect();
     let each = (2 * all.len()).div_ceil(MOST_POINTS).max(1);
     let mut points = Vec::new();
     for part in all.chunks(each) {
@@ -152,10 +145,7 @@ fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
         ends.dedup();
         points.extend(ends.into_iter().copied());
     }
-    Some(PlottedCurve {
-        name: course.label(traces).to_owned(),
-        points,
-    })
+    Some(PlottedCurve { name: course.label(traces).to_owned(), points })
 }
 
 /// What drives the eye, and the forces of the monitored nodes where no object presses on it: beside
@@ -181,22 +171,14 @@ pub fn motion(answer: &Answer) -> PageChart {
         Some((name, curve(answer, Trace::Of(of))?))
     });
     let (up, curves) = found.map_or_else(Default::default, |(up, curve)| (up, vec![curve]));
-    PageChart {
-        across: "ms",
-        up,
-        curves,
-        marks: Vec::new(),
-    }
+    PageChart { across: "ms", up, curves, marks: Vec::new() }
 }
 
 /// What drives the eye in each of several answers.
 pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
     let one = |(name, answer): &(String, &Answer)| {
         let curve = curve(answer, Trace::Other(OtherTrace::Drive))?;
-        Some(PlottedCurve {
-            name: name.clone(),
-            ..curve
-        })
+        Some(PlottedCurve { name: name.clone(), ..curve })
     };
     PageChart {
         across: "ms",
@@ -211,10 +193,7 @@ pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
 pub fn injuries(answer: &Answer) -> PageChart {
     let (mut curves, mut marks) = (Vec::new(), Vec::new());
     // The gravest first, and no more than can be told apart.
-    let of_tissue = Blow {
-        tested: 0.0,
-        ..answer.case.blow
-    };
+    let of_tissue = Blow { tested: 0.0, ..answer.case.blow };
     for (i, risk) in answer.risks().iter().take(COLOURS.len()).enumerate() {
         let half = risk.injury.curve().half;
         let at = (risk.known.value / half).min(2.0);
@@ -245,18 +224,12 @@ mod tests {
         let chart = |points: Vec<(f64, f64)>| PageChart {
             across: "ms",
             up: "force, N".to_owned(),
-            curves: vec![PlottedCurve {
-                name: "a < b".to_owned(),
-                points,
-            }],
+            curves: vec![PlottedCurve { name: "a < b".to_owned(), points }],
             marks: vec![(0, (1.0, 2.0))],
         };
         let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();
         assert!(svg.starts_with("<svg viewBox=") && svg.contains("force, N"));
-        assert!(
-            !svg.contains("a &lt; b"),
-            "a name over the curves hides them: {svg}"
-        );
+        assert!(!svg.contains("a &lt; b"), "a name over the curves hides them: {svg}");
         assert!(chart(Vec::new()).svg().is_none());
     }
 }

@@ -46,11 +46,7 @@ pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
 /// The version that answered.
 pub(super) fn version() -> String {
     let commit = crate::report::commit().map(|commit| format!(", commit {commit}"));
-    format!(
-        "contrecoup {}{}",
-        env!("CARGO_PKG_VERSION"),
-        commit.unwrap_or_default()
-    )
+    format!("contrecoup {}{}", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default())
 }
 
 /// What is asked of a blow: the fields of impact and model, and whatever else is not as usual.
@@ -70,9 +66,7 @@ pub(super) fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
     let asked = FIELDS.iter().filter(|field| field.path != "name");
     asked
         .filter_map(|field| {
-            let text = field
-                .text(scenario)
-                .filter(|text| worth(field.path, text))?;
+            let text = field.text(scenario).filter(|text| worth(field.path, text))?;
             let text = format!("{} {}", printable(&text), field.unit);
             Some((field.label, text.trim_end().to_owned()))
         })
@@ -114,9 +108,7 @@ pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<ResultRow> {
 /// A value in words, with as many digits as its errors allow.
 fn value(answer: &Answer, of: Quantity) -> String {
     Figure::of(answer, of).map_or_else(String::new, |figure| {
-        format!("{} {}", cut_word(figure.cut), figure.number)
-            .trim_start()
-            .to_owned()
+        format!("{} {}", cut_word(figure.cut), figure.number).trim_start().to_owned()
     })
 }
 
@@ -136,9 +128,5 @@ pub(super) fn sources(entries: &[Entry]) -> Vec<&'static str> {
 
 /// What the mesh is, in words.
 pub(super) fn mesh(answer: &Answer, scenario: &Scenario) -> String {
-    format!(
-        "{}; mesh level {}",
-        scenario.description(),
-        answer.case.level()
-    )
+    format!("{}; mesh level {}", scenario.description(), answer.case.level())
 }

@@ -71,10 +71,7 @@ impl<'a> Picture<'a> {
         let kept = &answer.run.frames[..];
         kept.first()?;
         let drawing = answer.case.eye.drawing();
-        let globe = drawing
-            .cells
-            .iter()
-            .filter(|cell| in_globe(&drawing, &cell.corners));
+        let globe = drawing.cells.iter().filter(|cell| in_globe(&drawing, &cell.corners));
         let cells: Vec<DrawnCell> = globe.copied().collect();
         let nodes: BTreeSet<usize> = cells.iter().flat_map(|cell| cell.corners).collect();
         let field = TissueField::all(&drawing, kept)[0];
@@ -119,11 +116,7 @@ impl<'a> Picture<'a> {
     }
 
     fn layers(&self, frame: &Frame) -> Vec<Shape> {
-        let detail = DrawnDetail {
-            grain: GRAIN_M,
-            zoom: 1.0,
-            points: OUTLINE,
-        };
+        let detail = DrawnDetail { grain: GRAIN_M, zoom: 1.0, points: OUTLINE };
         self.anatomy.layers(&self.drawing, frame, detail)
     }
 
@@ -170,9 +163,7 @@ impl<'a> Picture<'a> {
         let digit = char::from_digit(of as u32, 36);
         let at_it = at_it.filter(|(_, step)| Some(*step) == digit);
         at_it.fold(String::new(), |path, (cell, _)| {
-            let corners = cell
-                .corners
-                .map(|node| self.drawing.place(frame, node, 1.0));
+            let corners = cell.corners.map(|node| self.drawing.place(frame, node, 1.0));
             path + &closed(&corners)
         })
     }
@@ -197,9 +188,7 @@ impl<'a> Picture<'a> {
             let rings = layers.iter().map(|layers| &layers[i].rings);
             let most = rings.clone().map(Vec::len).max().unwrap_or_default();
             let ring = |ring: usize| {
-                let places = rings
-                    .clone()
-                    .map(|rings| rings.get(ring).map_or(&[][..], |r| &r[..]));
+                let places = rings.clone().map(|rings| rings.get(ring).map_or(&[][..], |r| &r[..]));
                 let places = places.map(|ring| ring.iter().copied().flat_map(whole).collect());
                 moves(&places.collect::<Vec<Vec<i64>>>())
             };
@@ -227,11 +216,7 @@ fn moves(lists: &[Vec<i64>]) -> Vec<String> {
         }
         let as_long = pair[0].len() == pair[1].len();
         let moved = pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a);
-        packed(&if as_long {
-            moved.collect()
-        } else {
-            pair[1].clone()
-        })
+        packed(&if as_long { moved.collect() } else { pair[1].clone() })
     };
     let first = lists.first().map(|list| packed(list)).into_iter();
     first.chain(lists.windows(2).map(by)).collect()
@@ -252,10 +237,7 @@ fn packed(numbers: &[i64]) -> String {
 }
 
 fn whole(at: Point2<f64>) -> [i64; 2] {
-    [
-        (at.x * PER_M).round() as i64,
-        (-at.y * PER_M).round() as i64,
-    ]
+    [(at.x * PER_M).round() as i64, (-at.y * PER_M).round() as i64]
 }
 
 fn class(part: Part) -> String {
@@ -283,11 +265,7 @@ pub fn pictures(entries: &[Entry]) -> String {
         Some((entry, answer, Picture::of(answer)?))
     });
     let all: Vec<_> = answered.collect();
-    let sides = |at: usize| {
-        all.iter()
-            .map(move |(_, _, picture)| picture.view()[at])
-            .max()
-    };
+    let sides = |at: usize| all.iter().map(move |(_, _, picture)| picture.view()[at]).max();
     let (side, high) = (sides(2).unwrap_or(1), sides(3).unwrap_or(1));
     let lefts = (0..).map(|i: i64| i * side);
     let placed: Vec<_> = lefts.zip(&all).collect();
@@ -341,17 +319,9 @@ mod tests {
             let mut text = list.as_str().unwrap();
             let mut numbers = Vec::new();
             while let Some(sign) = text.trim_start().chars().next() {
-                let end = if sign == '!' {
-                    text.find(';').unwrap()
-                } else {
-                    0
-                };
+                let end = if sign == '!' { text.find(';').unwrap() } else { 0 };
                 let large = || text[1..end].parse().unwrap();
-                numbers.push(if sign == '!' {
-                    large()
-                } else {
-                    i64::from(sign as u32) - ZERO
-                });
+                numbers.push(if sign == '!' { large() } else { i64::from(sign as u32) - ZERO });
                 text = &text[end + 1..];
             }
             numbers
@@ -364,14 +334,8 @@ mod tests {
             }
         }
         assert_eq!(now, picture.places(last));
-        assert_eq!(
-            motion["steps"].as_array().unwrap().len(),
-            picture.frames.len()
-        );
-        assert_eq!(
-            motion["shapes"].as_array().unwrap().len(),
-            picture.layers(last).len()
-        );
+        assert_eq!(motion["steps"].as_array().unwrap().len(), picture.frames.len());
+        assert_eq!(motion["shapes"].as_array().unwrap().len(), picture.layers(last).len());
         assert!(motion.to_string().len() < 230_000);
     }
 }

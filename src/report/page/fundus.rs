@@ -33,12 +33,7 @@ fn sector((inner, outer): (f64, f64), (from, to): (f64, f64)) -> String {
 /// From pale to dark red.
 fn colour(share: f64) -> String {
     let mix = |from: f64, to: f64| (from + share * (to - from)).round() as u8;
-    format!(
-        "#{:02x}{:02x}{:02x}",
-        mix(245.0, 178.0),
-        mix(240.0, 34.0),
-        mix(228.0, 40.0)
-    )
+    format!("#{:02x}{:02x}{:02x}", mix(245.0, 178.0), mix(240.0, 34.0), mix(228.0, 40.0))
 }
 
 /// The picture.

@@ -8,19 +8,14 @@ use crate::answer::solve::Answer;
 use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
-use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
 use crate::report::format::{capital, percent};
-use crate::report::limit;
-use crate::report::page::charts;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::page::fundus;
 use crate::report::risks::{first_line, legend, lines, uncounted};
-use crate::run::quantity::Quantity;
-use crate::run::watch::Watch;
-use crate::scenario::Scenario;
-use crate::scenario::load::to_ron;
+use crate::report::{compare::Table, limit, page::charts, page::fundus};
+use crate::run::{quantity::Quantity, watch::Watch};
+use crate::scenario::{Scenario, load::to_ron};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
@@ -32,10 +27,7 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
         watch(done as f64 / entries.len() as f64)?;
         blows.push(blow(entry));
     }
-    let names: Vec<_> = entries
-        .iter()
-        .map(|entry| printable(&entry.scenario.name))
-        .collect();
+    let names: Vec<_> = entries.iter().map(|entry| printable(&entry.scenario.name)).collect();
     let whole = html! {
         (DOCTYPE)
         html lang="en" {

@@ -5,12 +5,10 @@ use std::io::{self, Write};
 use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::markdown;
-use crate::report::compare::Table;
 use crate::report::figure::{SCALE, unusable};
-use crate::report::format::capital;
-use crate::report::limit;
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::risks::{legend, lines};
+use crate::report::{compare::Table, format::capital, limit};
 use crate::run::quantity::Quantity;
 
 /// Writes the page as Markdown.
@@ -49,17 +47,9 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "- {}", markdown(&why))?;
     }
     for flag in &answer.flags {
-        writeln!(
-            out,
-            "- FLAG `{}`: {}",
-            flag.kind.name(),
-            markdown(&flag.whole())
-        )?;
+        writeln!(out, "- FLAG `{}`: {}", flag.kind.name(), markdown(&flag.whole()))?;
     }
-    writeln!(
-        out,
-        "\n| result | value | | at | step ± | mesh ± |\n|---|---:|---|---:|---:|---:|"
-    )?;
+    writeln!(out, "\n| result | value | | at | step ± | mesh ± |\n|---|---:|---|---:|---:|---:|")?;
     for row in rows(&entry.scenario, answer) {
         let (step, mesh) = (markdown(&row.step), markdown(&row.mesh));
         writeln!(

@@ -66,10 +66,7 @@ impl TissueField {
 
     /// The value of each cell of the globe in a frame.
     fn of_cells(self, drawing: &Drawing, frame: &Frame) -> Vec<(DrawnCell, f64)> {
-        let globe = drawing
-            .cells
-            .iter()
-            .filter(|cell| in_globe(drawing, &cell.corners));
+        let globe = drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners));
         let value = |cell: &DrawnCell| match self {
             Self::Pressure => drawing.pressure(frame, cell),
             Self::Strain => strain(drawing, frame, cell),
@@ -84,9 +81,7 @@ impl TissueField {
     /// The value at each node in a frame: the mean of the cells around it.
     pub fn of_nodes(self, drawing: &Drawing, frame: &Frame) -> Vec<f64> {
         if self == Self::Force {
-            return (0..drawing.nodes.len())
-                .map(|node| drawing.force(frame, node))
-                .collect();
+            return (0..drawing.nodes.len()).map(|node| drawing.force(frame, node)).collect();
         }
         let mut sums = vec![(0.0, 0.0); drawing.nodes.len()];
         for (cell, value) in self.of_cells(drawing, frame) {
@@ -95,19 +90,15 @@ impl TissueField {
                 sums[node].1 += 1.0;
             }
         }
-        sums.into_iter()
-            .map(|(sum, count)| sum / f64::max(count, 1.0))
-            .collect()
+        sums.into_iter().map(|(sum, count)| sum / f64::max(count, 1.0)).collect()
     }
 
     /// The end of its scale over all frames.
     pub fn largest(self, drawing: &Drawing, frames: &[Frame]) -> f64 {
         let some = frames.iter().step_by(frames.len().div_ceil(FRAMES).max(1));
         let values = some.flat_map(|frame| self.of_cells(drawing, frame));
-        let mut values: Vec<f64> = values
-            .map(|(_, value)| value)
-            .filter(|v| v.is_finite())
-            .collect();
+        let mut values: Vec<f64> =
+            values.map(|(_, value)| value).filter(|v| v.is_finite()).collect();
         if values.is_empty() {
             return 1.0;
         }
@@ -164,9 +155,6 @@ mod tests {
         assert_eq!(TissueField::Pressure.figure(48_700.0), "49 kPa");
         assert_eq!(TissueField::Strain.figure(0.5), "50 %+");
         assert_eq!(TissueField::Force.figure(11.3), "11 N");
-        assert_eq!(
-            [step(-1.0, 2.0), step(1.0, 2.0), step(9.0, 2.0)],
-            [0, 5, 10]
-        );
+        assert_eq!([step(-1.0, 2.0), step(1.0, 2.0), step(9.0, 2.0)], [0, 5, 10]);
     }
 }

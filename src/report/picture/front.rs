@@ -48,10 +48,7 @@ pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
         libm::atan2(rest.y.abs(), -rest.x)
     };
     Some(FrontFrame {
-        limbus: circle(
-            middle,
-            aside(shell.iter().find(|node| front(node) >= limbus)?),
-        ),
+        limbus: circle(middle, aside(shell.iter().find(|node| front(node) >= limbus)?)),
         equator: circle(middle, shell.iter().map(aside).fold(0.0, f64::max)),
         object: middle,
     })
@@ -61,9 +58,7 @@ pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
 fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
     let sum: nalgebra::Vector2<f64> = ring.iter().map(|at| at.coords).sum();
     let middle = Point2::from(sum / ring.len().max(1) as f64);
-    ring.iter()
-        .map(|at| middle + (at - middle) * times)
-        .collect()
+    ring.iter().map(|at| middle + (at - middle) * times).collect()
 }
 
 /// All layers of a frame, the later over the earlier, `grain` m the smallest thing that shows;
@@ -118,8 +113,7 @@ mod tests {
     use crate::answer::solve::solve;
     use crate::run::kept::{Keep, Spacing};
     use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
-    use crate::scenario::set::set;
+    use crate::scenario::{library::find, set::set};
 
     /// Layers of the last frame of a BB of 0.1 ms in gelatin.
     fn last(changes: &[(&str, &str)], side: Side) -> Option<Vec<Shape>> {
@@ -128,21 +122,14 @@ mod tests {
         for (path, text) in first.iter().chain(changes) {
             set(&mut scenario, path, text).unwrap();
         }
-        let keep = Keep {
-            frames: Some(Spacing::even(0.05e-3)),
-            ..Keep::default()
-        };
+        let keep = Keep { frames: Some(Spacing::even(0.05e-3)), ..Keep::default() };
         let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
         let (drawing, frames) = (answer.case.eye.drawing(), &answer.run.frames);
         layers(&drawing, frames.last().unwrap(), side, 1e-4)
     }
 
     fn middle(layers: &[Shape], part: Part) -> (f64, f64) {
-        let ring = &layers
-            .iter()
-            .find(|shape| shape.part == part)
-            .unwrap()
-            .rings[0];
+        let ring = &layers.iter().find(|shape| shape.part == part).unwrap().rings[0];
         let sum: nalgebra::Vector2<f64> = ring.iter().map(|at| at.coords).sum();
         let mean = sum / ring.len() as f64;
         (mean.x, mean.y)
@@ -171,10 +158,7 @@ mod tests {
             let (x, y) = middle(&straight, part);
             assert!(x.hypot(y) < 0.1e-3, "{part:?}");
         }
-        let turned = [
-            ("numerics.geometry", "Axisymmetric"),
-            ("impact.angle_deg", "30"),
-        ];
+        let turned = [("numerics.geometry", "Axisymmetric"), ("impact.angle_deg", "30")];
         assert!(last(&turned, Side::Right).is_none());
     }
 }

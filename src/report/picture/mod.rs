@@ -156,10 +156,7 @@ impl Anatomy {
     pub fn of(drawing: &Drawing) -> Self {
         let mm = |x: f64, y: f64| Point2::new(x * 1e-3, y * 1e-3);
         let held = |places: Vec<Point2<f64>>| -> Vec<Held> {
-            places
-                .into_iter()
-                .filter_map(|at| drawing.held(at))
-                .collect()
+            places.into_iter().filter_map(|at| drawing.held(at)).collect()
         };
         let lens = (0..SIDES).map(|i| {
             let angle = TAU * i as f64 / SIDES as f64;
@@ -171,22 +168,14 @@ impl Anatomy {
             held(points.collect())
         };
         let ciliary = |side: f64| {
-            let corners = [
-                (-8.7, 7.3),
-                (-7.6, 8.4),
-                (-6.3, 9.3),
-                (-6.4, 8.0),
-                (-6.9, 6.3),
-            ];
+            let corners = [(-8.7, 7.3), (-7.6, 8.4), (-6.3, 9.3), (-6.4, 8.0), (-6.9, 6.3)];
             held(corners.map(|(x, y)| mm(x, side * y)).to_vec())
         };
         Self {
             lens: held(lens.collect()),
             iris: [1.0, -1.0].map(iris),
             ciliary: [1.0, -1.0].map(ciliary),
-            rest: Outline::new(drawing, POINTS, |node| {
-                drawing.at_rest(&drawing.nodes[node])
-            }),
+            rest: Outline::new(drawing, POINTS, |node| drawing.at_rest(&drawing.nodes[node])),
         }
     }
 
@@ -214,10 +203,7 @@ impl Anatomy {
         if let (Some(fat), Some(bone)) = (fat(drawing, &place, &outline, &wall), bone(&wall)) {
             layers.push(fat);
             if drawing.outlines.bone {
-                let back = (
-                    outline.points[outline.back()],
-                    self.rest.points[self.rest.back()],
-                );
+                let back = (outline.points[outline.back()], self.rest.points[self.rest.back()]);
                 layers.push(nerve(back, wall[wall.len() / 2]));
             }
             layers.push(bone);
@@ -331,9 +317,7 @@ pub(crate) fn in_globe(drawing: &Drawing, corners: &[usize; 4]) -> bool {
 
 /// The unit vector a quarter turn to the left.
 fn left(of: Vector2<f64>) -> Vector2<f64> {
-    Vector2::new(-of.y, of.x)
-        .try_normalize(0.0)
-        .unwrap_or_default()
+    Vector2::new(-of.y, of.x).try_normalize(0.0).unwrap_or_default()
 }
 
 /// A line of some width.
@@ -355,19 +339,9 @@ fn bone(wall: &[Point2<f64>]) -> Option<Shape> {
     let outward = |i: usize| left(wall[(i + 1).min(count - 1)] - wall[i.saturating_sub(1)]);
     // The wall turns one way round or the other.
     let sense = outward(0).dot(&(first - last)).signum();
-    let out: Vec<_> = (0..count)
-        .map(|i| wall[i] + outward(i) * (sense * BONE_M.0))
-        .collect();
-    let mut rings = vec![
-        wall.iter()
-            .copied()
-            .chain(out.into_iter().rev())
-            .collect::<Vec<_>>(),
-    ];
-    for (edge, next, i) in [
-        (first, wall.get(1)?, 0),
-        (last, &wall[count - 2], count - 1),
-    ] {
+    let out: Vec<_> = (0..count).map(|i| wall[i] + outward(i) * (sense * BONE_M.0)).collect();
+    let mut rings = vec![wall.iter().copied().chain(out.into_iter().rev()).collect::<Vec<_>>()];
+    for (edge, next, i) in [(first, wall.get(1)?, 0), (last, &wall[count - 2], count - 1)] {
         let along = (next - edge).normalize();
         let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.8;
         rings.push(circle(middle, BONE_M.1));

@@ -1,9 +1,7 @@
 //! What happens at a moment, in a few words.
 
 use crate::answer::solve::Answer;
-use crate::run::kept::nearest;
-use crate::run::quantity::Quantity;
-use crate::run::trace::Trace;
+use crate::run::{kept::nearest, quantity::Quantity, trace::Trace};
 
 /// Depth of the cornea up to which it is only touched, in m, and how long what just left still
 /// leaves, in s.
@@ -21,11 +19,7 @@ pub fn said(answer: &Answer, time: f64) -> (String, &'static str) {
     let at = |values: &[f64]| values.get(place.min(values.len().wrapping_sub(1))).copied();
     let deep = at(Trace::Of(Quantity::Apex).values(traces)).unwrap_or_default();
     let hit = !traces.contact_force.is_empty();
-    let pressing = if hit {
-        &traces.contact_force
-    } else {
-        &traces.load
-    };
+    let pressing = if hit { &traces.contact_force } else { &traces.load };
     let last = pressing.iter().rposition(|force| *force > PRESSES_N);
     let end = last.map_or(0.0, |last| traces.time[last]);
     let deepest = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);

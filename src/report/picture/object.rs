@@ -34,15 +34,9 @@ pub(super) struct Hitting {
 impl Hitting {
     pub fn of(drawing: &Drawing, frame: &Frame, globe: &Outline) -> Option<Self> {
         let (object, middle) = drawing.object(frame)?;
-        let DrawnObject {
-            radius, direction, ..
-        } = object;
+        let DrawnObject { radius, direction, .. } = object;
         if object.edge.is_some() {
-            return Some(Self {
-                object,
-                middle,
-                half: None,
-            });
+            return Some(Self { object, middle, half: None });
         }
         let rear = middle - direction * radius;
         let met = crossing(&globe.points, rear, direction);
@@ -51,11 +45,7 @@ impl Hitting {
         let along = radius - SHORTER * short;
         let across = (radius * (radius / along).sqrt()).min(WIDEST * radius);
         let middle = rear + direction * along;
-        Some(Self {
-            object,
-            middle,
-            half: Some((along, across)),
-        })
+        Some(Self { object, middle, half: Some((along, across)) })
     }
 
     pub fn direction(&self) -> Vector2<f64> {
@@ -64,22 +54,13 @@ impl Hitting {
 
     /// The object with its outline, at least `grain` thick.
     pub fn shapes(&self, grain: f64) -> [Shape; 2] {
-        let skin = (SKIN * self.object.radius)
-            .max(grain)
-            .min(0.5 * self.object.radius);
-        [
-            Shape::new(Part::Skin, self.ring(0.0)),
-            Shape::new(Part::Object, self.ring(skin)),
-        ]
+        let skin = (SKIN * self.object.radius).max(grain).min(0.5 * self.object.radius);
+        [Shape::new(Part::Skin, self.ring(0.0)), Shape::new(Part::Object, self.ring(skin))]
     }
 
     /// Its outline, or a line so far within.
     pub fn ring(&self, within: f64) -> Vec<Point2<f64>> {
-        let DrawnObject {
-            radius,
-            edge,
-            direction,
-        } = self.object;
+        let DrawnObject { radius, edge, direction } = self.object;
         let across = left(direction);
         if let Some((a, b)) = self.half {
             return ellipse(self.middle, direction * (a - within), across * (b - within));
@@ -94,15 +75,12 @@ impl Hitting {
         ];
         let below = corners.iter().rev().map(|&(x, y)| (x, -y));
         let all = corners.iter().copied().chain(below);
-        all.map(|(x, y)| self.middle + direction * x + across * y)
-            .collect()
+        all.map(|(x, y)| self.middle + direction * x + across * y).collect()
     }
 
     /// Whether a place lies in it, or so near to it.
     pub fn reaches(&self, at: Point2<f64>, near: f64) -> bool {
-        let DrawnObject {
-            radius, direction, ..
-        } = self.object;
+        let DrawnObject { radius, direction, .. } = self.object;
         let from = at - self.middle;
         let (along, across) = (from.dot(&direction), from.dot(&left(direction)));
         match self.half {
@@ -134,19 +112,12 @@ pub(super) fn hidden(wall: &[Point2<f64>], globe: &Outline, way: Vector2<f64>) -
         let back = left(out) * left(out).dot(&(middle - first)).signum();
         let mut ring = vec![first + out * FAR];
         ring.extend(wall);
-        ring.extend([
-            last - out * FAR,
-            last + (back - out) * FAR,
-            first + (out + back) * FAR,
-        ]);
+        ring.extend([last - out * FAR, last + (back - out) * FAR, first + (out + back) * FAR]);
         ring
     } else {
         let aside = |p: &&Point2<f64>| left(way).dot(&p.coords);
         let by = |a: &&Point2<f64>, b: &&Point2<f64>| aside(a).total_cmp(&aside(b));
-        let (low, high) = (
-            globe.points.iter().min_by(by)?,
-            globe.points.iter().max_by(by)?,
-        );
+        let (low, high) = (globe.points.iter().min_by(by)?, globe.points.iter().max_by(by)?);
         vec![*low, *high, high + way * FAR, low + way * FAR]
     };
     Some(Shape::new(Part::Sky, ring))

@@ -78,9 +78,7 @@ impl Outline {
     /// The point at the back.
     pub fn back(&self) -> usize {
         let angles = self.front.iter().enumerate();
-        angles
-            .max_by(|a, b| a.1.total_cmp(b.1))
-            .map_or(0, |(i, _)| i)
+        angles.max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
     }
 
     /// Unit vector inwards.
@@ -102,10 +100,7 @@ impl Outline {
         let across = |i: usize, (from, to, more): (f64, f64, f64)| {
             let (at, inward) = (self.points[i], self.inward(i));
             let thick = self.thickness[i].max(least);
-            (
-                at + inward * (from * thick),
-                at + inward * (to * thick + more),
-            )
+            (at + inward * (from * thick), at + inward * (to * thick + more))
         };
         let mut rings = Vec::new();
         let start = (0..count).find(|i| of(*i).is_none()).unwrap_or(0);

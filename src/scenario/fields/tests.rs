@@ -42,20 +42,14 @@ fn every_path_is_there_once_and_readable_in_some_scenario() {
         assert!(!FIELDS[..index].iter().any(|other| other.path == field.path));
         // Three lines of the narrowest form.
         let letters = field.help.chars().count();
-        assert!(
-            (10..=66).contains(&letters) && !field.help.ends_with('.'),
-            "{}",
-            field.path
-        );
+        assert!((10..=66).contains(&letters) && !field.help.ends_with('.'), "{}", field.path);
     }
 }
 
 #[test]
 fn a_choice_keeps_what_it_already_is_and_starts_a_new_variant_from_its_default() {
     let mut scenario = Scenario::default();
-    let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else {
-        panic!()
-    };
+    let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else { panic!() };
     *(PULSE_EDGE.get_mut)(&mut scenario).unwrap() = 0.3;
     assert!(shape.set(&mut scenario, "SmoothRectangle"));
     assert_eq!((PULSE_EDGE.get)(&scenario), Some(&0.3));
@@ -89,11 +83,7 @@ fn collect(value: &serde_json::Value, under: &str, paths: &mut Vec<String>) {
         if key.starts_with(char::is_uppercase) {
             collect(inner, under, paths);
         } else {
-            let path = if under.is_empty() {
-                key.clone()
-            } else {
-                format!("{under}.{key}")
-            };
+            let path = if under.is_empty() { key.clone() } else { format!("{under}.{key}") };
             collect(inner, &path, paths);
             paths.push(path);
         }

@@ -13,12 +13,8 @@ pub(super) struct Directions;
 
 const STRAIGHT_ON: &str = "StraightOn";
 /// Each word and its azimuth.
-const WORDS: [(&str, f64); 4] = [
-    ("Above", 0.0),
-    ("Nose", 0.5 * PI),
-    ("Below", PI),
-    ("Temple", 1.5 * PI),
-];
+const WORDS: [(&str, f64); 4] =
+    [("Above", 0.0), ("Nose", 0.5 * PI), ("Below", PI), ("Temple", 1.5 * PI)];
 
 impl Choices for Directions {
     fn names(&self) -> Vec<&'static str> {

@@ -1,13 +1,11 @@
 //! Tests of the parent module.
 
-use crate::scenario::fields::tests::every_variant;
-use crate::scenario::library::tests::preset;
-use crate::scenario::load;
 use crate::scenario::set::*;
 use crate::scenario::{
     EyeInput, ForcePulse, Impact, Integrator, Lens, Physiological, Projectile, ProjectileStiffness,
     PulseShape, Species,
 };
+use crate::scenario::{fields::tests::every_variant, library::tests::preset, load};
 
 fn after(path: &str, text: &str) -> Scenario {
     let mut scenario = Scenario::default();
@@ -58,38 +56,24 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
     assert!(set(&mut scenario, "impact.force_n", "1").is_err());
 
     let parts = |scenario: &Scenario| *scenario.physiological().unwrap();
-    assert_eq!(
-        parts(&after("model", "physiological")),
-        Physiological::default()
-    );
+    assert_eq!(parts(&after("model", "physiological")), Physiological::default());
     let pig = parts(&after("model", "Physiological(species: Pig)"));
     assert_eq!(pig.species, Species::Pig);
     assert!(refusal("model.species", "Pig").contains("model is Paper, which has no species"));
-    let object = Scenario {
-        impact: Impact::Projectile(Projectile::default()),
-        ..Scenario::default()
-    };
+    let object =
+        Scenario { impact: Impact::Projectile(Projectile::default()), ..Scenario::default() };
     assert!(
         refusal("impact.surface", "Hard").contains("impact is ForcePulse, which has no surface")
     );
     let mut turned = object;
     set(&mut turned, "model", "Physiological").unwrap();
-    set(
-        &mut turned,
-        "impact.surface",
-        "Inflated(kpa: 150, modulus_mpa: 3)",
-    )
-    .unwrap();
+    set(&mut turned, "impact.surface", "Inflated(kpa: 150, modulus_mpa: 3)").unwrap();
     set(&mut turned, "impact.surface.kpa", "120").unwrap();
     set(&mut turned, "model.support", "gelatin").unwrap();
     let refused = set(&mut turned, "model.fat_bulk_mpa", "1").unwrap_err();
     assert!(refused.to_string().contains("which has no fat_bulk_mpa"));
     let refused = set(&mut turned, "eye.fat_kpa", "1").unwrap_err();
-    assert!(
-        refused
-            .to_string()
-            .contains("model is Physiological, which has no eye.fat_kpa")
-    );
+    assert!(refused.to_string().contains("model is Physiological, which has no eye.fat_kpa"));
 }
 
 #[test]
@@ -98,10 +82,7 @@ fn scalars_are_set_by_their_path() {
     assert_eq!(pulse(&after("impact.force_n", "1_000")).force_n, 1000.0);
     assert_eq!(after("eye.lens", "soft").eye.lens, Lens::Soft);
     assert_eq!(after("numerics.step_us", "1.5").numerics.step_us, Some(1.5));
-    assert_eq!(
-        after("numerics.step_us", "Some(2)").numerics.step_us,
-        Some(2.0)
-    );
+    assert_eq!(after("numerics.step_us", "Some(2)").numerics.step_us, Some(2.0));
     assert_eq!(after("window_ms", "4").window_ms, Some(4.0));
     for text in ["None", "auto", "AUTO"] {
         assert_eq!(after("window_ms", text).window_ms, None);
@@ -109,61 +90,33 @@ fn scalars_are_set_by_their_path() {
         set(&mut scenario, "numerics.step_us", text).unwrap();
         assert_eq!(scenario.numerics.step_us, None);
     }
-    assert_eq!(
-        after("name", "any text, even (this)").name,
-        "any text, even (this)"
-    );
+    assert_eq!(after("name", "any text, even (this)").name, "any text, even (this)");
     assert_eq!(after("name", "\"in \\\"quotes\\\"\"").name, "in \"quotes\"");
     for text in ["[2,3]", "2, 3"] {
         assert_eq!(after("eye.filament_hops", text).eye.filament_hops, [2, 3]);
     }
-    assert!(
-        after("eye.filament_hops", "[]")
-            .eye
-            .filament_hops
-            .is_empty()
-    );
+    assert!(after("eye.filament_hops", "[]").eye.filament_hops.is_empty());
 }
 
 #[test]
 fn names_are_taken_in_any_spelling() {
     for text in ["VelocityVerlet", "velocity-verlet", "VELOCITY_VERLET"] {
         let scenario = after("numerics.integrator", text);
-        assert_eq!(
-            scenario.numerics.integrator,
-            Some(Integrator::VelocityVerlet)
-        );
+        assert_eq!(scenario.numerics.integrator, Some(Integrator::VelocityVerlet));
     }
-    assert_eq!(
-        pulse(&after("impact.shape", "half-sine")).shape,
-        PulseShape::HalfSine
-    );
+    assert_eq!(pulse(&after("impact.shape", "half-sine")).shape, PulseShape::HalfSine);
 }
 
 #[test]
 fn groups_are_replaced_as_in_a_file() {
     let eye = after("eye", "(level: 2)").eye;
-    assert_eq!(
-        eye,
-        EyeInput {
-            level: 2,
-            ..EyeInput::default()
-        }
-    );
+    assert_eq!(eye, EyeInput { level: 2, ..EyeInput::default() });
     let scenario = after("impact", "ForcePulse(force_n: 10, shape: Triangle)");
     assert_eq!(pulse(&scenario).force_n, 10.0);
     assert_eq!(pulse(&scenario).shape, PulseShape::Triangle);
-    let shape = pulse(&after(
-        "impact.shape",
-        "SmoothRectangle(edge_fraction: 0.2)",
-    ))
-    .shape
-    .clone();
+    let shape = pulse(&after("impact.shape", "SmoothRectangle(edge_fraction: 0.2)")).shape.clone();
     assert_eq!(shape, PulseShape::SmoothRectangle { edge_fraction: 0.2 });
-    assert_eq!(
-        after("numerics", "(step_us: 1)").numerics.step_us,
-        Some(1.0)
-    );
+    assert_eq!(after("numerics", "(step_us: 1)").numerics.step_us, Some(1.0));
 }
 
 #[test]
@@ -172,12 +125,7 @@ fn refusals_name_the_value_and_what_is_allowed() {
         refusal("impact.force_n", "abc"),
         "impact.force_n: abc is not a number: allowed 0 to 100000 N"
     );
-    for path in [
-        "impact.force_n",
-        "eye.lens",
-        "eye.level",
-        "numerics.step_us",
-    ] {
+    for path in ["impact.force_n", "eye.lens", "eye.level", "numerics.step_us"] {
         assert!(refusal(path, " ").contains("nothing is there: allowed "));
     }
     assert!(refusal("impact.force_n", "1,5").contains("a point, not a comma"));
@@ -211,16 +159,9 @@ fn a_number_that_is_put_is_no_longer_unverified() {
         }),
         ..Scenario::default()
     };
-    put_number(
-        &mut scenario,
-        fields::find("impact.speed_m_s").unwrap(),
-        40.0,
-    );
+    put_number(&mut scenario, fields::find("impact.speed_m_s").unwrap(), 40.0);
     let object = scenario.projectile_mut().unwrap();
-    assert_eq!(
-        (object.speed_m_s, &object.unverified[..]),
-        (40.0, &["mass_g".to_owned()][..])
-    );
+    assert_eq!((object.speed_m_s, &object.unverified[..]), (40.0, &["mass_g".to_owned()][..]));
 }
 
 #[test]
@@ -278,11 +219,9 @@ fn what_is_next_to_nothing_is_nothing() {
     }
     // What is below an end of a range is outside it, however little; what must not be 0 must not be
     // that either.
-    for (path, tiny) in [
-        ("impact.force_n", "-4e-320"),
-        ("window_ms", "4e-320"),
-        ("numerics.step_us", "4e-320"),
-    ] {
+    for (path, tiny) in
+        [("impact.force_n", "-4e-320"), ("window_ms", "4e-320"), ("numerics.step_us", "4e-320")]
+    {
         assert!(set(&mut scenario, path, tiny).is_err(), "{path}={tiny}");
     }
 }
@@ -294,10 +233,7 @@ fn a_doubt_goes_with_its_field() {
     scenario.doubt.insert("impact.speed_m_s".to_owned(), 5.0);
     set(&mut scenario, "impact.stiffness", "Rigid").unwrap();
     set(&mut scenario, "impact.surface", "Hard").unwrap();
-    assert_eq!(
-        scenario.doubt.keys().collect::<Vec<_>>(),
-        ["impact.speed_m_s"]
-    );
+    assert_eq!(scenario.doubt.keys().collect::<Vec<_>>(), ["impact.speed_m_s"]);
     scenario.check().unwrap();
 }
 
@@ -310,11 +246,7 @@ fn an_hour_is_typed_as_a_clock_shows_it() {
         Ok(scenario.projectile().unwrap().angle_clock)
     };
     for (text, wanted) in [("7:30", 7.5), (" 12:00 ", 12.0), ("7.5", 7.5), ("3", 3.0)] {
-        assert_eq!(
-            hour(text).map_err(|e: ScenarioError| e.to_string()),
-            Ok(wanted),
-            "{text}"
-        );
+        assert_eq!(hour(text).map_err(|e: ScenarioError| e.to_string()), Ok(wanted), "{text}");
     }
     for text in ["7:60", "13:00", ":30", "7:3x"] {
         assert!(hour(text).is_err(), "{text}");

@@ -1,16 +1,11 @@
 //! What the keys do that belong to no single screen.
 
 use crate::run::trace::Trace;
-use crate::scenario::Scenario;
-use crate::scenario::set::set;
-use crate::tui::app::App;
+use crate::scenario::{Scenario, set::set};
 use crate::tui::changes::{edit, presets, simulation, take_away, threshold, typing};
-use crate::tui::choices::Choice;
-use crate::tui::clock::Moment;
 use crate::tui::form::{FormRow, strength};
-use crate::tui::line::TextLine;
-use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::{app::App, choices::Choice, clock::Moment, line::TextLine, outbox::Effect};
 
 /// Queues an effect for the disk, the clipboard, the terminal or a worker.
 pub(crate) fn push(app: &mut App, effect: Effect) {
@@ -43,9 +38,7 @@ pub(crate) fn toggle_idle(app: &mut App) {
 pub(crate) fn quit(app: &mut App) {
     let model = &mut app.model;
     if model.is_edited() {
-        model.overlay = Some(Overlay::Prompt(Prompt::Quit {
-            kept: model.goes_on,
-        }));
+        model.overlay = Some(Overlay::Prompt(Prompt::Quit { kept: model.goes_on }));
     } else {
         model.out.effects.push(Effect::Quit(0));
     }
@@ -93,9 +86,7 @@ pub(crate) fn accept(app: &mut App) {
             let stronger = picker.typed().1.zip(picker.chosen(&model.choices));
             let stronger = stronger.map(|(typed, choice)| {
                 let scenario = with_strength(choice, typed)?;
-                model
-                    .allows(&scenario)
-                    .map(|()| (choice.name.clone(), scenario))
+                model.allows(&scenario).map(|()| (choice.name.clone(), scenario))
             });
             let stronger = match stronger.transpose() {
                 Ok(stronger) => stronger,

@@ -7,10 +7,7 @@ use ron::Value;
 use serde::de::{Error, MapAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::tui::app::tables::open_to_choice;
-use crate::tui::keys::Key;
-use crate::tui::keys::chosen::Keys;
-use crate::tui::keys::press::Press;
+use crate::tui::{app::tables::open_to_choice, keys::Key, keys::chosen::Keys, keys::press::Press};
 
 /// What a config file calls them, in the same order.
 static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
@@ -76,14 +73,8 @@ impl<'de> Deserialize<'de> for Presses {
                     "{key:?} {why}: allowed a key or a list of keys, as in \"Ctrl-X\""
                 ))
             }),
-            _ => Err(D::Error::invalid_value(
-                Unexpected::Other("value"),
-                &"a key",
-            )),
+            _ => Err(D::Error::invalid_value(Unexpected::Other("value"), &"a key")),
         };
-        list.into_iter()
-            .map(read)
-            .collect::<Result<_, _>>()
-            .map(Self)
+        list.into_iter().map(read).collect::<Result<_, _>>().map(Self)
     }
 }

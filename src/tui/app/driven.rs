@@ -1,13 +1,10 @@
 //! The app on the preset that opens first, in one colour, and keys for it: what the tests here
 //! start from.
 
-use crate::tui::app::App;
 use crate::tui::app::update::{Message, begin, update};
-use crate::tui::look::Look;
-use crate::tui::open::prepare;
-use crate::tui::outbox::Effect;
 use crate::tui::request::{TaskQuestion, Ticket};
 use crate::tui::terminal::caps::{Depth, Symbols};
+use crate::tui::{app::App, look::Look, open::prepare, outbox::Effect};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// Opened, without its first simulation.

@@ -6,13 +6,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::app::{App, help, tables};
-use crate::tui::model::AppModel;
-use crate::tui::overlay::Overlay;
-use crate::tui::screens::SCREENS;
-use crate::tui::screens::screen::About;
-use crate::tui::terminal::caps::Symbols;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::{SMALLEST, footer, overlay, text};
+use crate::tui::{model::AppModel, overlay::Overlay, screens::SCREENS, screens::screen::About};
+use crate::tui::{terminal::caps::Symbols, view::sheet::Sheet};
 
 /// What stands in the upper left corner.
 const PROGRAM: &str = "contrecoup ";
@@ -94,9 +90,7 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
     };
     let length = |form| {
         let labels = SCREENS.iter().enumerate();
-        labels
-            .map(|(place, screen)| text::width(&label(place, screen, form)))
-            .sum::<u16>()
+        labels.map(|(place, screen)| text::width(&label(place, screen, form))).sum::<u16>()
     };
     let candidates = [
         ((Form::Wide, true), name),
@@ -128,8 +122,7 @@ pub fn tab_at(app: &App, (width, height): (u16, u16), (x, y): (u16, u16)) -> Opt
         return None;
     }
     let tabs = tabs(app, width);
-    tabs.iter()
-        .position(|(at, label)| (*at..at + text::width(label)).contains(&x))
+    tabs.iter().position(|(at, label)| (*at..at + text::width(label)).contains(&x))
 }
 
 /// How the names of the screens are written.
@@ -156,11 +149,7 @@ fn title(app: &App, sheet: &mut Sheet) {
     // Where the names of the screens are tight, so is the space round the preset's.
     let margin = u16::from(tabs[0].0 > 0);
     for (place, (at, label)) in tabs.into_iter().enumerate() {
-        let style = if place == app.screen {
-            theme.bar_chosen()
-        } else {
-            theme.bar()
-        };
+        let style = if place == app.screen { theme.bar_chosen() } else { theme.bar() };
         debug_assert!(at >= x);
         x = sheet.at(row).put((at, 0), &label, style);
     }

@@ -2,11 +2,9 @@
 
 use crate::guide;
 use crate::tui::app::{App, tables};
-use crate::tui::keys::KeyList;
 use crate::tui::view::popup::{MARGIN, frame};
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::wrapped;
 use crate::tui::view::{PURPOSE, SMALLEST};
+use crate::tui::{keys::KeyList, view::sheet::Sheet, view::text::wrapped};
 
 /// Columns of the help, and of the keys in it.
 const HELP: u16 = 76;
@@ -17,12 +15,8 @@ const KEYS: u16 = 18;
 fn lines(app: &App, room: usize) -> Vec<(String, String)> {
     let screen = app.about();
     let heading = |text: String| (text, String::new());
-    let mut lines = vec![heading(format!(
-        "{} {}: {}",
-        app.screen + 1,
-        screen.title,
-        screen.question
-    ))];
+    let mut lines =
+        vec![heading(format!("{} {}: {}", app.screen + 1, screen.title, screen.question))];
     let own = tables::of_panes(app.on_show());
     let is_own = |list: &KeyList| own.iter().any(|own| own.title == list.title);
     let rest = tables::all().into_iter().filter(|list| !is_own(list));
@@ -60,10 +54,7 @@ fn glossary(room: usize) -> Vec<(String, String)> {
     let mut entry = String::new();
     let end = |entry: &mut String, lines: &mut Vec<(String, String)>| {
         for (i, line) in wrapped(entry, room - 4).iter().enumerate() {
-            lines.push((
-                String::new(),
-                format!("{}{line}", if i == 0 { "" } else { "  " }),
-            ));
+            lines.push((String::new(), format!("{}{line}", if i == 0 { "" } else { "  " })));
         }
         entry.clear();
     };
@@ -90,17 +81,10 @@ pub fn draw(app: &App, line: u16, sheet: &mut Sheet) {
     let inside = sheet.area;
     let lines = lines(app, usize::from(inside.width));
     let last = (lines.len() as u16).saturating_sub(inside.height);
-    for (y, (keys, what)) in lines
-        .iter()
-        .skip(usize::from(line.min(last)))
-        .take(usize::from(inside.height))
-        .enumerate()
+    for (y, (keys, what)) in
+        lines.iter().skip(usize::from(line.min(last))).take(usize::from(inside.height)).enumerate()
     {
-        let style = if what.is_empty() {
-            theme.heading()
-        } else {
-            theme.strong()
-        };
+        let style = if what.is_empty() { theme.heading() } else { theme.strong() };
         sheet.put((0, y as u16), keys, style);
         // Words of the glossary have no keys before them.
         let x = if keys.is_empty() { 2 } else { KEYS - 1 };

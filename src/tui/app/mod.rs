@@ -16,9 +16,8 @@ use std::any::Any;
 
 use crate::tui::changes::{samples, simulation};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::{About, PaneFacts, Screen};
-use crate::tui::work::Work;
+use crate::tui::{screens::SCREENS, work::Work};
 
 /// Everything between two messages.
 pub struct App {
@@ -39,12 +38,7 @@ impl App {
         for screen in &mut screens {
             screen.opened_on(&mut model, works);
         }
-        Self {
-            model,
-            screens,
-            screen: 0,
-            dragging: false,
-        }
+        Self { model, screens, screen: 0, dragging: false }
     }
 
     /// The screen on show.

@@ -3,13 +3,9 @@
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Rect;
 
-use crate::tui::app::App;
-use crate::tui::app::actions::scroll;
 use crate::tui::app::frame::{body, tab_at};
-use crate::tui::overlay::Overlay;
-use crate::tui::screens::screen::Mouse;
-use crate::tui::step::Step;
-use crate::tui::view::SMALLEST;
+use crate::tui::{app::App, app::actions::scroll, overlay::Overlay, screens::screen::Mouse};
+use crate::tui::{step::Step, view::SMALLEST};
 
 /// Takes in what the mouse did on a screen of `size`.
 pub(super) fn handle(app: &mut App, event: MouseEvent, size: (u16, u16)) {

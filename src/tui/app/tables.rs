@@ -14,12 +14,10 @@ use crate::tui::keys::press::{
     ctrl, plain,
 };
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
-use crate::tui::model::AppModel;
-use crate::tui::outbox::Effect;
-use crate::tui::overlay::Overlay;
-use crate::tui::picker::PAGE;
-use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::Screen;
+use crate::tui::{
+    model::AppModel, outbox::Effect, overlay::Overlay, picker::PAGE, screens::SCREENS,
+};
 
 /// What a key does to the app.
 pub type AppAct = fn(&mut App);
@@ -45,12 +43,8 @@ const STOP: Binding<AppAct> = bind(
     "",
     "stop; fg in the shell goes on",
 );
-const LEAVE: Binding<AppAct> = bind(
-    &[ctrl('c')],
-    |app| actions::push(app, Effect::Quit(130)),
-    "",
-    "leave at once",
-);
+const LEAVE: Binding<AppAct> =
+    bind(&[ctrl('c')], |app| actions::push(app, Effect::Quit(130)), "", "leave at once");
 
 /// On every screen, unless something is typed or asked.
 #[rustfmt::skip]
@@ -93,10 +87,7 @@ static SHOW_PRESSES_KEPT: [[Press; 3]; SCREENS.len()] = SHOW_PRESSES;
 
 static SHOW_BINDINGS: [Binding<usize>; SCREENS.len()] = {
     let nothing = Key::new(&[], "", "");
-    let mut bindings = [Binding {
-        key: nothing,
-        act: 0,
-    }; SCREENS.len()];
+    let mut bindings = [Binding { key: nothing, act: 0 }; SCREENS.len()];
     let mut i = 0;
     while i < bindings.len() {
         let key = Key::new(&SHOW_PRESSES_KEPT[i], "", SCREENS[i].purpose);
@@ -229,9 +220,8 @@ static HELP: KeyTable<AppAct> = KeyTable::new("Help", &[
 ]);
 
 /// The tables of what can stand in front of a screen.
-static IN_FRONT: [&KeyTable<AppAct>; 8] = [
-    &VALUE, &TYPING, &PICKER, &MARKER, &CHANGING, &THRESHOLD, &QUESTION, &HELP,
-];
+static IN_FRONT: [&KeyTable<AppAct>; 8] =
+    [&VALUE, &TYPING, &PICKER, &MARKER, &CHANGING, &THRESHOLD, &QUESTION, &HELP];
 
 /// The keys of what stands in front of the screen now. Nothing behind it gets any.
 pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
@@ -300,9 +290,7 @@ pub(crate) fn of_panes(screen: &dyn Screen) -> Vec<KeyList> {
 
 fn of_screens() -> Vec<KeyList> {
     let screens = SCREENS.iter().map(|about| (about.new)());
-    screens
-        .flat_map(|screen| of_panes(screen.as_ref()))
-        .collect()
+    screens.flat_map(|screen| of_panes(screen.as_ref())).collect()
 }
 
 /// Every list, in the order of the help.

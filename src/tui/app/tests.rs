@@ -1,30 +1,21 @@
 //! What keys and answers do to the app, without a terminal and without threads.
 
 use crate::answer::solve::{Answer, solve};
-use crate::run::kept::Keep;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::watch::unwatched;
+use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal, watch::unwatched};
 use crate::scenario::library::find;
 use crate::scenario::{ForcePulse, Impact, fields};
 use crate::tui::app::driven::{asked, begun, key, letter, opened};
 use crate::tui::app::frame::{draw, tabs};
-use crate::tui::app::tables::footer_keys;
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, tables};
-use crate::tui::changes::edit::change;
 use crate::tui::form::{FormRow, Typing};
-use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
-use crate::tui::prepare;
 use crate::tui::request::{Report, TaskQuestion, Ticket};
-use crate::tui::save::SaveError;
-use crate::tui::screens::SCREENS;
-use crate::tui::screens::accuracy::measurement::Measurement;
 use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, SimulateMarked};
-use crate::tui::screens::map::state::Map;
-use crate::tui::simulation::Simulate;
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
+use crate::tui::{app::tables::footer_keys, changes::edit::change, outbox::Effect, prepare};
+use crate::tui::{save::SaveError, screens::SCREENS, screens::accuracy::measurement::Measurement};
+use crate::tui::{screens::map::state::Map, simulation::Simulate};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -82,9 +73,7 @@ fn press(app: &mut App, keys: &str) -> Vec<Effect> {
 }
 
 fn pulse(app: &App) -> &ForcePulse {
-    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else {
-        panic!("no pulse")
-    };
+    let Impact::ForcePulse(pulse) = &app.model.work.scenario.impact else { panic!("no pulse") };
     pulse
 }
 
@@ -149,10 +138,7 @@ fn a_late_answer_changes_nothing() {
     let mut app = app();
     press(&mut app, "l");
     answer(&mut app, 1);
-    assert!(
-        app.model.shown.is_none(),
-        "that was the answer before the edit"
-    );
+    assert!(app.model.shown.is_none(), "that was the answer before the edit");
     answer(&mut app, 2);
     assert!(app.model.shown.is_some() && app.model.run.job.is_none());
 }
@@ -185,10 +171,7 @@ fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
     let ticket = running(&app);
     let effects = press(&mut app, "\x1b");
     assert!(effects[0] == Effect::Stop(ticket) && asked::<Simulate>(&effects).is_none());
-    assert_eq!(
-        (app.model.work.name(), app.model.stale()),
-        ("paper-300n", None)
-    );
+    assert_eq!((app.model.work.name(), app.model.stale()), ("paper-300n", None));
     let shown = app.model.shown.as_ref().unwrap();
     assert_eq!(shown.scenario, app.model.work.scenario);
     assert!(asked::<Simulate>(&press(&mut app, "u")).is_some());
@@ -315,9 +298,7 @@ fn saving_asks_for_a_name_and_before_it_replaces() {
     let overlay = &app.model.overlay;
     assert!(matches!(overlay, Some(Overlay::Name(_, _, Some(_)))));
     let effects = press(&mut app, "\x15mine\r");
-    let [Effect::Save(name, text, false)] = &effects[..] else {
-        panic!("{effects:?}")
-    };
+    let [Effect::Save(name, text, false)] = &effects[..] else { panic!("{effects:?}") };
     assert!(name == "mine" && text.contains("name: \"mine\""));
     // Nothing counts as saved before it is.
     assert!(app.model.is_edited());
@@ -519,10 +500,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
     assert_eq!(offered(&app), "hers");
     press(&mut app, "\x1b");
     press(&mut app, "q");
-    assert!(matches!(
-        app.model.overlay,
-        Some(Overlay::Prompt(Prompt::Quit { .. }))
-    ));
+    assert!(matches!(app.model.overlay, Some(Overlay::Prompt(Prompt::Quit { .. }))));
 }
 
 #[test]
@@ -541,9 +519,7 @@ fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
     assert_eq!(force(&app), 300.0);
     let effects = press(&mut app, "e50\r");
     let (_, asked) = asked::<SimulateMarked>(&effects).unwrap();
-    let Impact::Projectile(bb) = &asked.scenario.impact else {
-        panic!()
-    };
+    let Impact::Projectile(bb) = &asked.scenario.impact else { panic!() };
     assert_eq!(bb.speed_m_s, 50.0);
     // In the table another field of the same row; there and back is the preset again.
     press(&mut app, "\te\x1b[A\x1b[A0.5\r");

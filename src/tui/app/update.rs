@@ -10,14 +10,8 @@ use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
 use crate::plain_text::quoted;
 use crate::tui::app::{App, help, mouse, tables};
 use crate::tui::changes::{presets, samples, simulation, take_away, threshold, typing};
-use crate::tui::choices::Choice;
-use crate::tui::keys::begins_value;
-use crate::tui::outbox::Effect;
-use crate::tui::overlay::Overlay;
-use crate::tui::request::Report;
-use crate::tui::save::SaveError;
-use crate::tui::screens::SCREENS;
-use crate::tui::screens::screen::KeyOutcome;
+use crate::tui::{choices::Choice, keys::begins_value, outbox::Effect, overlay::Overlay};
+use crate::tui::{request::Report, save::SaveError, screens::SCREENS, screens::screen::KeyOutcome};
 
 /// Something that happened.
 pub enum Message {
@@ -134,10 +128,8 @@ fn key(app: &mut App, event: KeyEvent) {
     } else if let Some(binding) = tables::SHOW.find(keys, event) {
         app.show(binding.act);
     } else if let KeyCode::Char(sign) = event.code {
-        app.model.notice = Some(format!(
-            "{} does nothing here: ? lists the keys",
-            quoted(&sign.to_string())
-        ));
+        app.model.notice =
+            Some(format!("{} does nothing here: ? lists the keys", quoted(&sign.to_string())));
     }
 }
 
@@ -155,9 +147,6 @@ fn elsewhere(event: KeyEvent) -> String {
     let place = number.checked_sub(1);
     let screen = place.and_then(|at| SCREENS.get(at as usize));
     screen.map_or("no number is typed here".to_owned(), |screen| {
-        format!(
-            "no number is typed here: F{number} or Alt-{number} shows {}",
-            screen.title
-        )
+        format!("no number is typed here: F{number} or Alt-{number} shows {}", screen.title)
     })
 }

@@ -1,12 +1,8 @@
 //! Another scenario takes the place of the one worked on, and what that does to its answer.
 
 use crate::scenario::Scenario;
-use crate::tui::changes::simulation;
-use crate::tui::form::words;
-use crate::tui::model::AppModel;
-use crate::tui::outbox::Effect;
-use crate::tui::simulation::is_alike;
-use crate::tui::work::Work;
+use crate::tui::{changes::simulation, form::words, model::AppModel, outbox::Effect};
+use crate::tui::{simulation::is_alike, work::Work};
 
 /// Takes another scenario and simulates it at once. `what` names the field that changes, empty if
 /// the change stands for itself.
@@ -42,11 +38,7 @@ pub(crate) fn travel(model: &mut AppModel, back: bool) {
         return;
     }
     let present = model.work.clone();
-    let other = if back {
-        model.history.undo(present)
-    } else {
-        model.history.redo(present)
-    };
+    let other = if back { model.history.undo(present) } else { model.history.redo(present) };
     if let Ok(work) = other {
         set_work(model, work);
     } else {

@@ -1,25 +1,18 @@
 //! Opening a preset, and saving, renaming and removing one of the person's own.
 
 use crate::scenario::load::to_ron;
-use crate::tui::changes::edit::change;
 use crate::tui::choices::{Choice, MAX_OWN};
-use crate::tui::line::TextLine;
-use crate::tui::model::AppModel;
-use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
-use crate::tui::picker::Picker;
 use crate::tui::save::{SaveError, check_name, free_name};
-use crate::tui::work::Work;
+use crate::tui::{changes::edit::change, line::TextLine, model::AppModel, outbox::Effect};
+use crate::tui::{picker::Picker, work::Work};
 
 pub(crate) fn next_preset(model: &mut AppModel, forward: bool) {
     let count = model.choices.len();
     if count == 0 {
         return;
     }
-    let here = model
-        .choices
-        .iter()
-        .position(|choice| choice.name == model.work.source);
+    let here = model.choices.iter().position(|choice| choice.name == model.work.source);
     let next = match here {
         Some(here) if forward => (here + 1) % count,
         Some(here) => (here + count - 1) % count,
@@ -75,9 +68,7 @@ fn own_chosen(model: &mut AppModel) -> Option<String> {
     if choice.origin == "own" && check_name(&name).is_ok() {
         return Some(name);
     }
-    model.notice = Some(format!(
-        "{name} is no preset of your own: it stays as it is"
-    ));
+    model.notice = Some(format!("{name} is no preset of your own: it stays as it is"));
     None
 }
 
@@ -123,11 +114,7 @@ pub(crate) fn renamed(
 ) {
     if let Err(error) = outcome {
         let naming = Naming::Rename(from.to_owned());
-        model.overlay = Some(Overlay::Name(
-            naming,
-            TextLine::of(to),
-            Some(error.to_string()),
-        ));
+        model.overlay = Some(Overlay::Name(naming, TextLine::of(to), Some(error.to_string())));
         return;
     }
     let follow = |work: &mut Work| {
@@ -146,11 +133,7 @@ pub(crate) fn renamed(
     if let Some(choice) = model.choices.iter_mut().find(|choice| choice.name == from) {
         choice.name.clone_from(&to);
     }
-    if let Some(shown) = model
-        .shown
-        .as_mut()
-        .filter(|shown| shown.scenario.name == from)
-    {
+    if let Some(shown) = model.shown.as_mut().filter(|shown| shown.scenario.name == from) {
         shown.scenario.name.clone_from(&to);
     }
     model.notice = Some(format!("renamed to {to}"));
@@ -218,10 +201,7 @@ pub(crate) fn save(model: &mut AppModel, name: String, replace: bool) {
     if model.work.is_outgrown() {
         scenario.name.clone_from(&name);
     }
-    model
-        .out
-        .effects
-        .push(Effect::Save(name, to_ron(&scenario), replace));
+    model.out.effects.push(Effect::Save(name, to_ron(&scenario), replace));
 }
 
 pub(crate) fn saved(model: &mut AppModel, name: String, outcome: Result<(), SaveError>) {

@@ -2,12 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::tui::changes::simulation;
 use crate::tui::ensemble::{FEW, MANY, RunSamples, key};
-use crate::tui::guest::MOST_SAMPLES;
-use crate::tui::model::AppModel;
-use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
+use crate::tui::{changes::simulation, guest::MOST_SAMPLES, model::AppModel, request::Report};
 
 /// Whether nothing else is wanted for what is on show, and it has no risks: their ranges hold what
 /// is not known of the inputs.
@@ -42,12 +39,7 @@ pub(crate) fn refresh_requests(model: &mut AppModel, room: u32, screens_busy: bo
         model.ensemble.task.stop(None, &mut model.out);
     }
     if wanted {
-        let question = RunSamples {
-            scenario,
-            count,
-            known,
-            idle,
-        };
+        let question = RunSamples { scenario, count, known, idle };
         model.ensemble.task.ask(question, &mut model.out);
     }
 }

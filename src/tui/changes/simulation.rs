@@ -4,11 +4,8 @@
 use std::sync::Arc;
 
 use crate::run::refusal::Refusal;
-use crate::tui::ensemble::key;
-use crate::tui::model::AppModel;
-use crate::tui::request::Report;
-use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::{Complete, Simulate, first_estimate, is_alike};
+use crate::tui::{ensemble::key, model::AppModel, request::Report, shown::ShownAnswer};
 
 /// The form holds what the answer on show, or the one on its way, is the answer to as well.
 pub(crate) fn follow(model: &mut AppModel) {
@@ -33,10 +30,7 @@ pub(crate) fn cancel(model: &mut AppModel) {
     };
     if model.run.stop(None, &mut model.out) {
         let left = std::mem::replace(&mut model.work, answered);
-        model.notice = Some(format!(
-            "back at {}: u goes on with the other",
-            model.work.name()
-        ));
+        model.notice = Some(format!("back at {}: u goes on with the other", model.work.name()));
         model.history.record(left, "", model.now);
         model.form.settle(&model.work.scenario);
         follow(model);

@@ -2,12 +2,9 @@
 
 use crate::report::command::{arguments, line};
 use crate::report::summary;
-use crate::tui::model::AppModel;
-use crate::tui::outbox::Effect;
 use crate::tui::overlay::{MEGABYTE, Overlay, Prompt};
-use crate::tui::page::WritePage;
-use crate::tui::request::Report;
 use crate::tui::shown::ShownAnswer;
+use crate::tui::{model::AppModel, outbox::Effect, page::WritePage, request::Report};
 
 /// An answer by the name of its source.
 pub(crate) type Named<'a> = (String, &'a ShownAnswer);
@@ -46,11 +43,7 @@ pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'s
         return Err("a guest writes no files");
     }
     check(model, answers)?;
-    let stem = if answers.len() > 1 {
-        "comparison"
-    } else {
-        model.work.name()
-    };
+    let stem = if answers.len() > 1 { "comparison" } else { model.work.name() };
     let stem = stem.trim_end_matches(".ron").to_owned();
     let command = repeating(model, answers).map(|mut words| {
         words.extend(["-o".to_owned(), format!("{stem}.html")]);
@@ -60,11 +53,7 @@ pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'s
         .iter()
         .map(|(source, shown)| (source.clone(), shown.scenario.clone(), shown.answer.clone()))
         .collect();
-    Ok(WritePage {
-        stem,
-        blows,
-        command,
-    })
+    Ok(WritePage { stem, blows, command })
 }
 
 /// Has a page that is done put on the disk.

@@ -3,13 +3,10 @@
 
 use crate::many::threshold::ThresholdSearch;
 use crate::scenario::doubt::number;
-use crate::tui::changes::edit::change;
 use crate::tui::form::{FormRow, with_text};
-use crate::tui::line::TextLine;
-use crate::tui::model::AppModel;
-use crate::tui::overlay::Overlay;
 use crate::tui::request::Report;
 use crate::tui::threshold::{Asking, FindThreshold};
+use crate::tui::{changes::edit::change, line::TextLine, model::AppModel, overlay::Overlay};
 
 /// Asks about the number with the cursor: rupture of the globe first, where there are risks.
 pub(crate) fn ask(model: &mut AppModel) {
@@ -45,10 +42,7 @@ pub(crate) fn next_result(model: &mut AppModel, forward: bool) {
         return;
     };
     let count = asking.results.len();
-    let here = asking
-        .results
-        .iter()
-        .position(|(q, _)| *q == asking.quantity);
+    let here = asking.results.iter().position(|(q, _)| *q == asking.quantity);
     let by = if forward { 1 } else { count - 1 };
     let next = asking.results[(here.unwrap_or(0) + by) % count].0;
     asking.choose(next);
@@ -59,10 +53,7 @@ pub(crate) fn next_crossing(model: &mut AppModel) {
     let Some(asking) = open_question(model) else {
         return;
     };
-    let count = asking
-        .found
-        .as_ref()
-        .map_or(0, |(_, found)| found.crossings.len());
+    let count = asking.found.as_ref().map_or(0, |(_, found)| found.crossings.len());
     asking.row = (asking.row + 1) % count.max(1);
 }
 

@@ -2,16 +2,11 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::scenario::Scenario;
-use crate::scenario::doubt::begun;
 use crate::scenario::fields::{Field, Kind};
-use crate::tui::changes::edit::change;
-use crate::tui::changes::threshold;
+use crate::scenario::{Scenario, doubt::begun};
 use crate::tui::form::{FormRow, Typing, admitted, typed_text, with_text};
-use crate::tui::line::TextLine;
-use crate::tui::model::AppModel;
-use crate::tui::overlay::Overlay;
-use crate::tui::save::check_name;
+use crate::tui::{changes::edit::change, changes::threshold, line::TextLine, model::AppModel};
+use crate::tui::{overlay::Overlay, save::check_name};
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
 pub(crate) fn begin(model: &mut AppModel, empty: bool) {
@@ -144,12 +139,7 @@ pub(crate) fn accept_and_move(model: &mut AppModel, by: isize) {
 
 /// A sideways arrow: through a text that was there, else it ends typing.
 pub(crate) fn sideways(model: &mut AppModel, code: KeyCode) {
-    if model
-        .form
-        .typing
-        .as_ref()
-        .is_some_and(|typing| typing.fresh)
-    {
+    if model.form.typing.as_ref().is_some_and(|typing| typing.fresh) {
         accept(model);
     } else {
         type_into(model, |line| line.key(KeyEvent::from(code)));

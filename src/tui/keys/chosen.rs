@@ -58,11 +58,7 @@ impl Keys {
                 let typed = |list: &&KeyList| list.keys.iter().any(|key| key.begins_value);
                 let own = panes.iter().filter(|list| !typed(list));
                 let other = self.holder(name, *press, everywhere.iter().chain(own))?;
-                Some(Clash {
-                    name,
-                    press: *press,
-                    other,
-                })
+                Some(Clash { name, press: *press, other })
             })
         })
     }

@@ -3,22 +3,15 @@
 use ratatui::layout::Rect;
 
 use crate::report::figure::at_a_moment;
-use crate::run::kept::Traces;
-use crate::run::quantity::Quantity;
-use crate::run::result_trace::Group;
 use crate::run::trace::{TRACES, Trace};
-use crate::tui::clock::peak_said;
-use crate::tui::keys::TimeKeys;
+use crate::run::{kept::Traces, quantity::Quantity, result_trace::Group};
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
-use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::ShownAnswer;
-use crate::tui::step::Step;
-use crate::tui::view::below;
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, mark, value_at};
-use crate::tui::view::raster::Ink;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::width;
+use crate::tui::view::{below, raster::Ink, sheet::Sheet, text::width};
+use crate::tui::{
+    clock::peak_said, keys::TimeKeys, model::AppModel, shown::ShownAnswer, step::Step,
+};
 use strum::VariantArray;
 
 /// Charts that stand together, each with the curves in it.
@@ -123,10 +116,7 @@ fn views(traces: &Traces) -> Vec<View> {
         };
         if *group == Group::Energies {
             let chunks = own.chunks(MAX_CURVES).map(<[Trace]>::to_vec);
-            views.extend(chunks.map(|curves| View {
-                name,
-                charts: vec![curves],
-            }));
+            views.extend(chunks.map(|curves| View { name, charts: vec![curves] }));
             continue;
         }
         views.extend(own.chunks(MAX_CHARTS).map(|own| View::alone(name, own)));
@@ -192,10 +182,7 @@ impl Forces {
 
 /// What the screen can show of the answer to the form.
 fn all_views(model: &AppModel) -> Vec<View> {
-    let traces = model
-        .shown
-        .as_ref()
-        .and_then(|s| s.answer.run.traces.as_ref());
+    let traces = model.shown.as_ref().and_then(|s| s.answer.run.traces.as_ref());
     traces.map(views).unwrap_or_default()
 }
 
@@ -213,10 +200,7 @@ fn draw(forces: Forces, model: &AppModel, sheet: &mut Sheet) {
         (Some(why), _) => (why.to_owned(), theme.warning()),
         (None, Some(view)) => {
             let of = views.len();
-            (
-                format!("v: {}, {} of {of}", view.name, place + 1),
-                theme.heading(),
-            )
+            (format!("v: {}, {} of {of}", view.name, place + 1), theme.heading())
         }
         (None, None) => (String::new(), theme.quiet()),
     };
@@ -239,19 +223,8 @@ fn draw(forces: Forces, model: &AppModel, sheet: &mut Sheet) {
     let (wide, high) = (charts.width / columns, charts.height / rows);
     for (i, curves) in view.charts.iter().enumerate() {
         let (column, row) = (i as u16 % columns, i as u16 / columns);
-        let place = Rect::new(
-            charts.x + column * wide,
-            charts.y + row * high,
-            wide - 1,
-            high,
-        );
-        chart(
-            model,
-            forces.zoom,
-            (shown, traces),
-            curves,
-            &mut sheet.at(place),
-        );
+        let place = Rect::new(charts.x + column * wide, charts.y + row * high, wide - 1, high);
+        chart(model, forces.zoom, (shown, traces), curves, &mut sheet.at(place));
     }
 }
 
@@ -295,11 +268,7 @@ fn chart(
             Trace::Other(_) => label,
         };
         // The reading has the unit too.
-        let texts = [
-            format!("{label}, {unit}"),
-            label.to_owned(),
-            short.to_owned(),
-        ];
+        let texts = [format!("{label}, {unit}"), label.to_owned(), short.to_owned()];
         let room = area.width.saturating_sub(TITLED + width(&now));
         let fitting = texts.iter().find(|text| width(text) <= room);
         (fitting.unwrap_or(&texts[0]).clone(), now)
@@ -317,11 +286,7 @@ fn chart(
     // What does not fit into one line of the legend takes two.
     let room = area.width.saturating_sub(LEGEND);
     let long: u16 = entries.iter().map(|text| width(text) + 2).sum();
-    let lines = if courses.len() > 1 && long > room + 2 {
-        2
-    } else {
-        1
-    };
+    let lines = if courses.len() > 1 && long > room + 2 { 2 } else { 1 };
     let field = below(area, lines - 1);
     TimeChart {
         title: &title,

@@ -7,17 +7,12 @@ use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::capital;
 use crate::report::risks::{basis, first_line};
 use crate::run::quantity::Quantity;
-use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::ShownAnswer;
-use crate::tui::view::below;
-use crate::tui::view::eye::EyePicture;
-use crate::tui::view::fundus::Fundus;
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
+use crate::tui::view::{eye::EyePicture, fundus::Fundus, sheet::Sheet};
+use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below};
 
 /// Columns that the screen takes at most: longer bars are no easier to read.
 const WIDEST: u16 = 120;
@@ -60,10 +55,7 @@ impl Screen for Injuries {
         if let (Some(shown), PICTURED..) = (&model.shown, rest) {
             pictured(self.row, model, shown, &mut sheet.at(right));
         }
-        let sheet = &mut sheet.at(Rect {
-            width: area.width.min(WIDEST),
-            ..area
-        });
+        let sheet = &mut sheet.at(Rect { width: area.width.min(WIDEST), ..area });
         match &model.shown {
             Some(shown) if self.fundus => fundus(shown, sheet),
             Some(shown) => draw(self.row, model, shown, sheet),
@@ -91,10 +83,7 @@ const ROUND: &str = "Straight on the eye is round here: every hour feels the sam
 fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
     draw_signs(sheet);
     let area = sheet.area;
-    let sheet = &mut sheet.at(Rect {
-        height: area.height.saturating_sub(SIGN_ROWS),
-        ..area
-    });
+    let sheet = &mut sheet.at(Rect { height: area.height.saturating_sub(SIGN_ROWS), ..area });
     let Some(sectors) = &shown.answer.run.sectors else {
         let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
         sheet.put_lines((1, 1), &lines, sheet.theme.text());
@@ -122,11 +111,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         return;
     };
     let count = risks.len() as u16;
-    let each = if area.height >= 2 + 2 * count + EXPLAINED {
-        2
-    } else {
-        1
-    };
+    let each = if area.height >= 2 + 2 * count + EXPLAINED { 2 } else { 1 };
     let heading = ("80 % ranges", theme.heading());
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
@@ -147,9 +132,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         sentences.extend(published);
     } else if !published.is_empty() {
         let said = published.join("; ");
-        sentences.push(format!(
-            "not counted, as such an object was not tested: {said}"
-        ));
+        sentences.push(format!("not counted, as such an object was not tested: {said}"));
     }
     let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
     let rows = usize::from(foot.area.height.saturating_sub(1));

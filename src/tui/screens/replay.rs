@@ -4,30 +4,23 @@ use std::marker::PhantomData;
 
 use ratatui::style::Style;
 
-use crate::report::figure::at_a_moment;
-use crate::report::format::significant;
-use crate::report::picture::Part;
-use crate::report::picture::front::seen;
-use crate::run::places::Region;
-use crate::run::quantity::Quantity;
-use crate::run::result_trace::Group;
+use crate::report::{
+    figure::at_a_moment, format::significant, picture::Part, picture::front::seen,
+};
 use crate::run::trace::{OtherTrace, TRACES, Trace};
+use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
 use crate::tui::clock::{MeshDetail, peak_said};
-use crate::tui::form::unverified;
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Act, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::ShownAnswer;
-use crate::tui::step::Step;
-use crate::tui::terminal::caps::Symbols;
 use crate::tui::view::chart::{TimeCurve, value_at};
-use crate::tui::view::eye::EyePicture;
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::picture::{NAMED, swatch};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{longest_fitting, width, wrapped};
+use crate::tui::{form::unverified, model::AppModel, shown::ShownAnswer, step::Step};
+use crate::tui::{terminal::caps::Symbols, view::eye::EyePicture};
 
 /// Rows from which on each part has a line of its own.
 const TALL: u16 = 30;
@@ -49,11 +42,8 @@ pub struct Replay {
 }
 
 impl Panes for Replay {
-    const PANES: &'static [Pane<Self>] = &[Pane::new(
-        "replay",
-        TimeKeys::Early,
-        &[PaneKeys::new("Replay", FrameKeys::ALL), FRONT],
-    )];
+    const PANES: &'static [Pane<Self>] =
+        &[Pane::new("replay", TimeKeys::Early, &[PaneKeys::new("Replay", FrameKeys::ALL), FRONT])];
 }
 
 #[rustfmt::skip]
@@ -132,12 +122,7 @@ fn draw(front: bool, model: &AppModel, sheet: &mut Sheet) {
         sheet.put((0, high - 2), text, theme.warning());
     }
     let front = anatomy.then_some(front);
-    side_panel(
-        model,
-        shown,
-        front,
-        &mut sheet.part((wide, 0), (SIDE, high)),
-    );
+    side_panel(model, shown, front, &mut sheet.part((wide, 0), (SIDE, high)));
     time_bar(model, shown, &mut sheet.part((0, high), (area.width, 3)));
 }
 
@@ -198,14 +183,8 @@ fn parts(front: bool, (model, shown): (&AppModel, &ShownAnswer), y: &mut u16, sh
     sheet.put_right((area.width - 1, *y), "e: mesh", theme.quiet());
     *y += 1;
     let hit = shown.drawing.object.is_some();
-    let more = [
-        (Part::Object, "object"),
-        (Part::Pressed, "pressed"),
-        (Part::Fat, "fat"),
-    ];
-    let more = more
-        .into_iter()
-        .filter(|(part, _)| hit || *part == Part::Fat);
+    let more = [(Part::Object, "object"), (Part::Pressed, "pressed"), (Part::Fat, "fat")];
+    let more = more.into_iter().filter(|(part, _)| hit || *part == Part::Fat);
     let tall = area.height >= TALL;
     let mut x = 0;
     let all = NAMED.into_iter().chain(more);
@@ -214,10 +193,7 @@ fn parts(front: bool, (model, shown): (&AppModel, &ShownAnswer), y: &mut u16, sh
     let mut signs: Vec<(String, Style, Vec<&str>)> = Vec::new();
     for (part, name) in seen {
         let (sign, style) = swatch(part, model.look);
-        match signs
-            .iter_mut()
-            .find(|known| (&known.0, known.1) == (&sign, style))
-        {
+        match signs.iter_mut().find(|known| (&known.0, known.1) == (&sign, style)) {
             Some((.., names)) => names.push(name),
             None if sign == " " && style == Style::new() => {}
             None => signs.push((sign, style, vec![name])),
@@ -263,11 +239,8 @@ fn legend(largest: f64, y: &mut u16, sheet: &mut Sheet) {
             *y += 1;
         }
         let style = theme.heat(i + 1);
-        let sign = if theme.is_mono() || ascii {
-            heat_glyph(i + 1).to_string()
-        } else {
-            "█".to_owned()
-        };
+        let sign =
+            if theme.is_mono() || ascii { heat_glyph(i + 1).to_string() } else { "█".to_owned() };
         x = sheet.put((x, *y), &sign, style);
         x = sheet.put((x, *y), &text, theme.text());
     }
@@ -305,11 +278,7 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let time = model.time();
     let window = shown.answer.window();
-    let state = if model.clock.playing {
-        "▶ playing"
-    } else {
-        "paused"
-    };
+    let state = if model.clock.playing { "▶ playing" } else { "paused" };
     let text = format!("{:.3} of {} ms", time * 1e3, significant(window * 1e3));
     let end = sheet.put((1, 0), &text, theme.strong());
     let rest = format!(

@@ -8,14 +8,10 @@ use ratatui::layout::Rect;
 
 use crate::run::trace::Trace;
 use crate::scenario::Scenario;
-use crate::tui::keys::press::Press;
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::request::Report;
-use crate::tui::shown::ShownAnswer;
-use crate::tui::step::Step;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::work::Work;
+use crate::tui::{keys::press::Press, request::Report, shown::ShownAnswer, step::Step};
+use crate::tui::{view::sheet::Sheet, work::Work};
 
 /// What there is to know of a screen before it is opened.
 pub struct About {

@@ -14,18 +14,14 @@ use ratatui::layout::Rect;
 use crate::scenario::library;
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, frame};
-use crate::tui::choices::choices;
-use crate::tui::guest::LONGEST_ANSWER;
-use crate::tui::outbox::Effect;
 use crate::tui::save::{SaveError, page, remove, rename, save};
 use crate::tui::terminal::clipboard::{Clipboard, clipboard, copied};
 use crate::tui::terminal::event::{Event, leaving};
 use crate::tui::terminal::input::{Parser, TerminalInput};
-use crate::tui::terminal::jobs::Jobs;
 use crate::tui::terminal::pacer::{Cause, Pacer};
 use crate::tui::terminal::paint::{BEGIN, END, Pen, question};
-use crate::tui::terminal::session::Session;
-use crate::tui::terminal::system;
+use crate::tui::terminal::{session::Session, system};
+use crate::tui::{choices::choices, guest::LONGEST_ANSWER, outbox::Effect, terminal::jobs::Jobs};
 
 /// How the app runs.
 pub struct Settings {
@@ -75,10 +71,7 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
     let app = event_loop.end();
     if is_abandoned {
         // An error means that nobody reads any more.
-        let _ = writeln!(
-            io::stderr(),
-            "The session ended: no key was pressed for a while."
-        );
+        let _ = writeln!(io::stderr(), "The session ended: no key was pressed for a while.");
     }
     Ok((code, app))
 }
@@ -156,8 +149,7 @@ impl EventLoop {
 
     /// Whether a guest has touched no key for too long.
     fn is_abandoned(&self) -> bool {
-        self.guest_limit
-            .is_some_and(|limit| self.last_key.elapsed() >= limit)
+        self.guest_limit.is_some_and(|limit| self.last_key.elapsed() >= limit)
     }
 
     /// How long nothing needs to be done if nothing happens.
@@ -168,9 +160,7 @@ impl EventLoop {
                 wake = Some(wake.map_or(time, |other: Instant| other.min(time)));
             }
         };
-        at(self
-            .escape_since
-            .map(|since| since + self.parser.patience()));
+        at(self.escape_since.map(|since| since + self.parser.patience()));
         at(self.guest_limit.map(|limit| self.last_key + limit));
         let wants_frame = self.dirty || self.app.model.clock.playing;
         if wants_frame {
@@ -181,9 +171,7 @@ impl EventLoop {
             }
         }
         let now = Instant::now();
-        wake.map_or(Duration::from_secs(3600), |time| {
-            time.saturating_duration_since(now)
-        })
+        wake.map_or(Duration::from_secs(3600), |time| time.saturating_duration_since(now))
     }
 
     fn draw_if_due(&mut self) -> io::Result<()> {
@@ -192,11 +180,7 @@ impl EventLoop {
             && self
                 .last_frame
                 .is_none_or(|last| now.saturating_duration_since(last) >= self.frame_time);
-        let cause = if self.dirty {
-            Cause::Event
-        } else {
-            Cause::Replay
-        };
+        let cause = if self.dirty { Cause::Event } else { Cause::Replay };
         if !(self.dirty || animated) {
             return Ok(());
         }
@@ -218,10 +202,7 @@ impl EventLoop {
         frame::draw(&self.app, &mut next);
         let mut bytes = BEGIN.to_vec();
         if self.screen.shown.area != area {
-            self.screen = Screen {
-                shown: Buffer::empty(area),
-                pen: Pen::default(),
-            };
+            self.screen = Screen { shown: Buffer::empty(area), pen: Pen::default() };
             bytes.extend_from_slice(b"\x1b[0m\x1b[2J");
         }
         let empty = bytes.len();

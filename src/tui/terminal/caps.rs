@@ -56,10 +56,7 @@ pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<De
     }
     let wide = ["256color", "kitty", "alacritty", "foot", "tmux"];
     let is_wide = term.ends_with("-direct") || wide.iter().any(|name| term.contains(name));
-    let rich = matches!(
-        env("COLORTERM").unwrap_or_default().as_str(),
-        "truecolor" | "24bit"
-    );
+    let rich = matches!(env("COLORTERM").unwrap_or_default().as_str(), "truecolor" | "24bit");
     Some(match flag {
         ColorFlag::Never => Depth::Mono,
         ColorFlag::Sixteen => Depth::Sixteen,

@@ -2,9 +2,7 @@
 
 use std::sync::atomic::{AtomicI32, Ordering};
 
-use crate::tui::app::update::Message;
-use crate::tui::keys::press::SUSPEND;
-use crate::tui::terminal::input::TerminalInput;
+use crate::tui::{app::update::Message, keys::press::SUSPEND, terminal::input::TerminalInput};
 
 /// Something that came from outside.
 pub(super) enum Event {

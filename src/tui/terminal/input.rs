@@ -80,11 +80,7 @@ impl Parser {
 
     /// How long after the last byte what is unfinished counts as all there is.
     pub fn patience(&self) -> Duration {
-        if self.pasted.is_some() {
-            PASTE_PATIENCE
-        } else {
-            ESCAPE_PATIENCE
-        }
+        if self.pasted.is_some() { PASTE_PATIENCE } else { ESCAPE_PATIENCE }
     }
 
     /// Nothing more came: a lone ESC is a key, a paste is over, any other remainder is dropped.
@@ -251,11 +247,7 @@ fn csi(rest: &[u8]) -> Parsed {
 /// The modifiers of `ESC [ 1 ; n A`.
 fn held_keys(number: u8) -> KeyModifiers {
     let bits = number.saturating_sub(1);
-    let all = [
-        KeyModifiers::SHIFT,
-        KeyModifiers::ALT,
-        KeyModifiers::CONTROL,
-    ];
+    let all = [KeyModifiers::SHIFT, KeyModifiers::ALT, KeyModifiers::CONTROL];
     let held = all.into_iter().enumerate();
     let held = held.filter(|(bit, _)| bits >> bit & 1 == 1);
     held.map(|(_, modifier)| modifier).collect()
@@ -318,10 +310,7 @@ mod tests {
             ("\x1b[1;2C", vec![key(KeyCode::Right, shift)]),
             ("\x1b[5~\x1b[Z", vec![page, back]),
             ("\x03", vec![held('c', KeyModifiers::CONTROL)]),
-            (
-                "\x1bOP\x1b[[B\x1b[13~\x1b[17~",
-                vec![f(1), f(2), f(3), f(6)],
-            ),
+            ("\x1bOP\x1b[[B\x1b[13~\x1b[17~", vec![f(1), f(2), f(3), f(6)]),
             ("\x1bx", vec![held('x', KeyModifiers::ALT)]),
             ("\r", vec![plain(KeyCode::Enter)]),
         ] {

@@ -7,10 +7,8 @@ use std::io;
 use std::sync::mpsc::SyncSender;
 use std::time::Duration;
 
-use crate::tui::app::update::Message;
 use crate::tui::request::{Request, Ticket};
-use crate::tui::terminal::event::Event;
-use crate::tui::worker::Worker;
+use crate::tui::{app::update::Message, terminal::event::Event, worker::Worker};
 
 /// One thread a kind of question.
 pub(super) struct Jobs {
@@ -25,11 +23,7 @@ impl Jobs {
     /// stopped.
     pub(super) fn new(send: SyncSender<Event>, limit: Option<Duration>) -> Self {
         let workers = HashMap::new();
-        Self {
-            send,
-            limit,
-            workers,
-        }
+        Self { send, limit, workers }
     }
 
     /// Hands a request to the thread of its kind.

@@ -16,11 +16,7 @@ pub const OFF: &[u8] = b"\x1b[?1002l\x1b[?1006l";
 pub fn report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
     let text = std::str::from_utf8(numbers).ok()?;
     let mut parts = text.split(';').map(str::parse::<u16>);
-    let (button, column, row) = (
-        parts.next()?.ok()?,
-        parts.next()?.ok()?,
-        parts.next()?.ok()?,
-    );
+    let (button, column, row) = (parts.next()?.ok()?, parts.next()?.ok()?, parts.next()?.ok()?);
     if parts.next().is_some() {
         return None;
     }
@@ -38,11 +34,7 @@ pub fn report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
         // Terminals count from one.
         column: column.checked_sub(1)?,
         row: row.checked_sub(1)?,
-        modifiers: if shift {
-            KeyModifiers::SHIFT
-        } else {
-            KeyModifiers::NONE
-        },
+        modifiers: if shift { KeyModifiers::SHIFT } else { KeyModifiers::NONE },
     })
 }
 
@@ -63,15 +55,7 @@ mod tests {
         assert_eq!(read("32;5;6M"), Some((Drag(Left), 4, 5)));
         assert_eq!(read("68;5;6M"), Some((ScrollUp, 4, 5)));
         assert_eq!(read("65;5;6M"), Some((ScrollDown, 4, 5)));
-        for other in [
-            "35;10;10M",
-            "2;1;1M",
-            "0;0;1M",
-            "0;1M",
-            "0;1;1;1M",
-            "0;70000;1M",
-            "M",
-        ] {
+        for other in ["35;10;10M", "2;1;1M", "0;0;1M", "0;1M", "0;1;1;1M", "0;70000;1M", "M"] {
             assert_eq!(read(other), None, "{other}");
         }
     }

@@ -79,10 +79,7 @@ impl Pacer {
     /// For a terminal that has shown a frame when the write returns: nothing is asked or waited
     /// for.
     pub fn local() -> Self {
-        Self {
-            local: true,
-            ..Self::default()
-        }
+        Self { local: true, ..Self::default() }
     }
 
     /// Whether questions are asked.
@@ -105,12 +102,7 @@ impl Pacer {
         self.last = self.last % COLUMNS + 1;
         // The one that had this column before will hardly be answered.
         self.open.retain(|question| question.column != self.last);
-        self.open.push_back(Question {
-            column: self.last,
-            since,
-            bytes,
-            given_up: false,
-        });
+        self.open.push_back(Question { column: self.last, since, bytes, given_up: false });
         self.last
     }
 
@@ -165,12 +157,7 @@ impl Pacer {
 
     /// Whether a frame may go out; gives up on a reply that is overdue from who never answered.
     pub fn is_free(&mut self, now: Instant, cause: Cause) -> bool {
-        if !self.answers
-            && self
-                .waiting()
-                .next()
-                .is_some_and(|q| now >= q.since + PATIENCE)
-        {
+        if !self.answers && self.waiting().next().is_some_and(|q| now >= q.since + PATIENCE) {
             // What came after it is no sooner answered.
             self.open.iter_mut().for_each(|q| q.given_up = true);
             self.silences += 1;
@@ -257,10 +244,7 @@ mod tests {
         assert!(pacer.is_free(later, Replay));
         let second = pacer.sent(later, 1000).unwrap();
         pacer.replied(later + SHORT, first);
-        assert!(
-            !pacer.is_free(later + SHORT, Replay),
-            "that was the first one's"
-        );
+        assert!(!pacer.is_free(later + SHORT, Replay), "that was the first one's");
         pacer.replied(later + 2 * SHORT, second);
         assert!(pacer.is_free(later + 2 * SHORT, Replay));
     }
@@ -355,10 +339,7 @@ mod tests {
         assert_eq!(after(1), Duration::from_millis(300));
         assert_eq!(after(250), Duration::from_millis(500));
         assert_eq!(after(1900), Duration::from_secs(1));
-        let mute = Pacer {
-            silences: MAX_SILENCES,
-            ..Pacer::default()
-        };
+        let mute = Pacer { silences: MAX_SILENCES, ..Pacer::default() };
         assert_eq!(mute.farewell(), Duration::ZERO);
     }
 

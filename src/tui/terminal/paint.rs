@@ -36,9 +36,8 @@ const ATTRIBUTES: [(Modifier, u8); 6] = [
 ];
 
 /// Signs of blocks, each with what it leaves blank at the same place from the end.
-const BLOCKS: [&str; 16] = [
-    " ", "▘", "▝", "▀", "▖", "▌", "▞", "▛", "▗", "▚", "▐", "▜", "▄", "▙", "▟", "█",
-];
+const BLOCKS: [&str; 16] =
+    [" ", "▘", "▝", "▀", "▖", "▌", "▞", "▛", "▗", "▚", "▐", "▜", "▄", "▙", "▟", "█"];
 
 /// A cell that is to be sent, with its place.
 type Changed<'a> = (u16, u16, &'a Cell);
@@ -83,9 +82,7 @@ impl Pen {
         runs.reverse();
         while !runs.is_empty() {
             let from = runs.len().saturating_sub(AHEAD);
-            let next = (from..runs.len())
-                .rev()
-                .min_by_key(|i| self.cost(&runs[*i][0]));
+            let next = (from..runs.len()).rev().min_by_key(|i| self.cost(&runs[*i][0]));
             for &(x, y, cell) in runs.remove(next.unwrap_or(from)) {
                 self.move_to(x, y, out);
                 let shown = &self.cheaper(cell);
@@ -104,11 +101,7 @@ impl Pen {
             Some((here, row)) if row == y && here < x => 4,
             _ => 8,
         };
-        let lit = if cell.modifier == self.attributes {
-            0
-        } else {
-            8
-        };
+        let lit = if cell.modifier == self.attributes { 0 } else { 8 };
         there + lit + 9 * usize::from(self.changes(&self.cheaper(cell)))
     }
 
@@ -135,11 +128,7 @@ impl Pen {
             other.set_symbol(BLOCKS[BLOCKS.len() - 1 - place]);
             (other.fg, other.bg) = (cell.bg, if solid { self.background } else { cell.fg });
         }
-        if self.changes(&other) < self.changes(cell) {
-            other
-        } else {
-            cell.clone()
-        }
+        if self.changes(&other) < self.changes(cell) { other } else { cell.clone() }
     }
 
     /// How many colours of a cell the pen has not.
@@ -149,18 +138,13 @@ impl Pen {
     }
 
     fn set_style(&mut self, cell: &Cell, out: &mut Vec<u8>) {
-        let known = ATTRIBUTES
-            .iter()
-            .fold(Modifier::empty(), |all, (one, _)| all | *one);
+        let known = ATTRIBUTES.iter().fold(Modifier::empty(), |all, (one, _)| all | *one);
         let wanted = cell.modifier & known;
         let mut codes: Vec<String> = Vec::new();
         if !(self.attributes - wanted).is_empty() {
             // Bold and dim share their off switch, so all is switched off and on again.
             codes.push("0".to_owned());
-            *self = Self {
-                at: self.at,
-                ..Self::default()
-            };
+            *self = Self { at: self.at, ..Self::default() };
         }
         for (attribute, code) in ATTRIBUTES {
             if (wanted - self.attributes).contains(attribute) {

@@ -18,8 +18,7 @@ use signal_hook::iterator;
 use signal_hook::low_level::emulate_default_handler;
 
 use crate::run::threads;
-use crate::tui::terminal::event::Event;
-use crate::tui::terminal::pacer::Pacer;
+use crate::tui::terminal::{event::Event, pacer::Pacer};
 use crate::tui::terminal::{mouse, session};
 
 /// Where the app draws: a handle of its own takes no lock, so a panic on any thread can write.
@@ -47,18 +46,12 @@ pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
 /// What is said once the terminal is given back; when memory runs out nothing else can be.
 const ABORTED: &[u8] = b"contrecoup: aborted; either memory ran out or somebody asked for it\r\n";
 /// How long a terminal is waited for which does not read.
-const LAST_WORDS: Timespec = Timespec {
-    tv_sec: 0,
-    tv_nsec: 200_000_000,
-};
+const LAST_WORDS: Timespec = Timespec { tv_sec: 0, tv_nsec: 200_000_000 };
 
 /// Gives the terminal back when the program aborts, as it does when memory runs out: by then no
 /// thread of it runs any more, and nothing can be allocated. `is_entered` says whether there is
 /// anything to give back, and must do no more than that.
-#[expect(
-    unsafe_code,
-    reason = "no safe call gives a signal handler more to do than to set a flag"
-)]
+#[expect(unsafe_code, reason = "no safe call gives a signal handler more to do than to set a flag")]
 pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
     let out = out()?;
     let modes = tcgetattr(&out)?;
@@ -85,9 +78,8 @@ pub(super) struct Signals(iterator::Signals);
 
 /// Listens to every signal that would end or stop the app and leave the terminal as it is.
 pub(super) fn signals() -> io::Result<Signals> {
-    let all = [
-        SIGWINCH, SIGCONT, SIGXFSZ, SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM,
-    ];
+    let all =
+        [SIGWINCH, SIGCONT, SIGXFSZ, SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM];
     Ok(Signals(iterator::Signals::new(all)?))
 }
 

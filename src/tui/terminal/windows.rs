@@ -9,9 +9,7 @@ use std::sync::mpsc::SyncSender;
 use crossterm::event::{self as console, DisableMouseCapture, EnableMouseCapture, KeyEventKind};
 
 use crate::run::threads;
-use crate::tui::terminal::event::Event;
-use crate::tui::terminal::input::TerminalInput;
-use crate::tui::terminal::pacer::Pacer;
+use crate::tui::terminal::{event::Event, input::TerminalInput, pacer::Pacer};
 
 /// Where the app draws: only this handle turns UTF-8 into what a console takes.
 pub(super) type Out = io::Stdout;

@@ -1,10 +1,8 @@
 //! A field of a marked preset that is being changed.
 
-use crate::tui::changing::Changing;
-use crate::tui::form::allowed;
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{width, wrapped};
+use crate::tui::{changing::Changing, form::allowed, view::sheet::Sheet};
 
 /// Draws it in the middle of `area`.
 pub fn draw(changing: &Changing, sheet: &mut Sheet) {
@@ -21,10 +19,7 @@ pub fn draw(changing: &Changing, sheet: &mut Sheet) {
     sheet.put((beside, 0), field.unit, theme.text());
     let (said, style) = match &changing.error {
         Some(why) => (why.clone(), theme.error()),
-        None => (
-            format!("{}: {}", field.help, allowed(&changing.scenario, field)),
-            theme.quiet(),
-        ),
+        None => (format!("{}: {}", field.help, allowed(&changing.scenario, field)), theme.quiet()),
     };
     let lines = wrapped(&said, usize::from(wide));
     sheet.put_lines((0, 2), lines.iter().take(3), style);

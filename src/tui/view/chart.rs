@@ -6,8 +6,7 @@ use ratatui::widgets::{Block, Borders, Widget};
 use crate::report::format::significant;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
-use crate::tui::view::text::width;
-use crate::tui::view::theme::Theme;
+use crate::tui::view::{text::width, theme::Theme};
 
 /// A curve over time.
 pub struct TimeCurve<'a> {
@@ -60,11 +59,7 @@ pub fn active<'a>(
     };
     let left = LEFT * window;
     // A short time before the contact is no reason to leave out the beginning.
-    let from = if first < 2.0 * left {
-        0.0
-    } else {
-        first - left
-    };
+    let from = if first < 2.0 * left { 0.0 } else { first - left };
     (from, (last + left).min(window))
 }
 
@@ -129,10 +124,7 @@ fn plot(
             if steps > 1 && column % i32::from(steps) != 0 {
                 continue;
             }
-            let ink = Ink {
-                every: 1,
-                ..curve.ink
-            };
+            let ink = Ink { every: 1, ..curve.ink };
             raster.line((x, top.round() + 0.5), (x, bottom.round() + 0.5), ink);
         }
     }
@@ -204,16 +196,10 @@ impl TimeChart<'_> {
         let size = (area.width - LABELS - 1, area.height - 3);
         let field = sheet.part((LABELS + 1, 1), size).area;
         let (low, high) = range(&self.curves, self.span);
-        let (low, high) = if high > low {
-            (low, high)
-        } else {
-            (low, low + 1.0)
-        };
+        let (low, high) = if high > low { (low, high) } else { (low, low + 1.0) };
         let (first, last) = (self.span.0 * 1e3, self.span.1 * 1e3);
         let up = ticks(low, high, usize::from(field.height / 3).clamp(2, 6));
-        let up = up
-            .into_iter()
-            .map(|v| ((high - v) / (high - low), tick_label(v)));
+        let up = up.into_iter().map(|v| ((high - v) / (high - low), tick_label(v)));
         let across = ticks(first, last, usize::from(field.width / 9).clamp(2, 10));
         let across = across.into_iter();
         let across = across.map(|v| ((v - first) / (last - first), tick_label(v)));
@@ -236,10 +222,7 @@ impl TimeChart<'_> {
 /// from the left, each with what it says; `margin` columns from the right edge the unit of time.
 pub fn axes(
     field: Rect,
-    (up, across): (
-        impl Iterator<Item = (f64, String)>,
-        impl Iterator<Item = (f64, String)>,
-    ),
+    (up, across): (impl Iterator<Item = (f64, String)>, impl Iterator<Item = (f64, String)>),
     margin: u16,
     sheet: &mut Sheet,
 ) {

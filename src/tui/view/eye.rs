@@ -15,22 +15,14 @@ use crate::report::picture::field::TissueField;
 use crate::report::picture::{Part, object_sides};
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
-use crate::run::places::Region;
-use crate::run::quantity::Quantity;
+use crate::run::{places::Region, quantity::Quantity};
 use crate::scenario::direction::{place, upper};
 use crate::scenario::{Impact, Scenario};
-use crate::tui::clock::MeshDetail;
-use crate::tui::look::Look;
-use crate::tui::model::AppModel;
-use crate::tui::shown::ShownAnswer;
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
-use crate::tui::view::picture::Anatomical;
-use crate::tui::view::picture::window::Window;
-use crate::tui::view::projection::Projection;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::width;
-use crate::tui::view::theme::Theme;
+use crate::tui::view::{picture::Anatomical, picture::window::Window, projection::Projection};
+use crate::tui::view::{sheet::Sheet, text::width, theme::Theme};
+use crate::tui::{clock::MeshDetail, look::Look, model::AppModel, shown::ShownAnswer};
 
 /// Where the arrow of the blow begins and ends, and where its arc is drawn, in m.
 const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);
@@ -106,12 +98,7 @@ impl<'a> EyePicture<'a> {
         };
         if let (MeshDetail::Anatomy, Some(field)) = (self.detail, self.field) {
             let scene = self;
-            Anatomical {
-                scene,
-                frame,
-                field,
-            }
-            .draw(sheet);
+            Anatomical { scene, frame, field }.draw(sheet);
             if self.front {
                 return;
             }
@@ -122,10 +109,8 @@ impl<'a> EyePicture<'a> {
                 let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
                 let dot = |at| {
                     let (x, y) = window.cell(at);
-                    let (across, down) = (
-                        columns / i32::from(area.width),
-                        rows / i32::from(area.height),
-                    );
+                    let (across, down) =
+                        (columns / i32::from(area.width), rows / i32::from(area.height));
                     let below = f64::from(field.y - area.y);
                     (x * f64::from(across), (y + below) * f64::from(down))
                 };
@@ -242,10 +227,7 @@ pub fn angle_at(
     detail: MeshDetail,
     (x, y): (u16, u16),
 ) -> f64 {
-    let middle = (
-        f64::from(x) - f64::from(area.x) + 0.5,
-        f64::from(y) - f64::from(area.y) + 0.5,
-    );
+    let middle = (f64::from(x) - f64::from(area.x) + 0.5, f64::from(y) - f64::from(area.y) + 0.5);
     if detail == MeshDetail::Anatomy {
         let (window, field) = Window::within(area, &shown.drawing, look.symbols);
         let at = window.place((middle.0, middle.1 - f64::from(field.y - area.y)));
@@ -292,11 +274,7 @@ impl Picture<'_> {
 
     fn springs(&self, raster: &mut Raster) {
         let all = self.scene.detail == MeshDetail::Edges;
-        for Line {
-            ends: (a, b),
-            region,
-        } in self.drawing.lines.iter().copied()
-        {
+        for Line { ends: (a, b), region } in self.drawing.lines.iter().copied() {
             let outline = matches!(region, Region::Orbit | Region::Shell | Region::Retina);
             if !(all || outline || region == Region::Lens) {
                 continue;
@@ -369,16 +347,8 @@ impl Picture<'_> {
                 raster.dot(x + 1, y + 1, ink);
             }
             if step > self.thresholds.len() / 2 {
-                for (dx, dy) in [
-                    (-1, 0),
-                    (-1, 1),
-                    (2, 0),
-                    (2, 1),
-                    (0, -1),
-                    (1, -1),
-                    (0, 2),
-                    (1, 2),
-                ] {
+                for (dx, dy) in [(-1, 0), (-1, 1), (2, 0), (2, 1), (0, -1), (1, -1), (0, 2), (1, 2)]
+                {
                     raster.dot(x + dx, y + dy, ink);
                 }
             }
@@ -409,12 +379,8 @@ impl Picture<'_> {
     /// The nodes whose forces are shown, by the first letter of their names; the one that has its
     /// peak now in reverse.
     fn monitors(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
-        let forces = [
-            Quantity::ForceCentre,
-            Quantity::ForceFront,
-            Quantity::ForceRight,
-            Quantity::ForceTop,
-        ];
+        let forces =
+            [Quantity::ForceCentre, Quantity::ForceFront, Quantity::ForceRight, Quantity::ForceTop];
         let mark = move |(node, of): (&usize, Quantity)| {
             let (x, y) = self.place(*node);
             let letter = of.row().short.chars().next()?.to_ascii_uppercase();

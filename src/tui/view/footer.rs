@@ -1,10 +1,7 @@
 //! The bottom line: what was just done, or what is computed ahead and the keys that work here.
 
-use crate::tui::model::AppModel;
-use crate::tui::overlay::Overlay;
-use crate::tui::page::writing;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, width};
+use crate::tui::{model::AppModel, overlay::Overlay, page::writing, view::sheet::Sheet};
 
 /// Draws the footer with the keys that work now and their words.
 pub fn draw(model: &AppModel, live: Vec<(String, &str)>, sheet: &mut Sheet) {

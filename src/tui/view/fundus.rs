@@ -4,9 +4,7 @@
 
 use crate::run::sectors::{HOURS, Sectors};
 use crate::scenario::Side;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::width;
-use crate::tui::view::theme::Theme;
+use crate::tui::view::{sheet::Sheet, text::width, theme::Theme};
 use ratatui::style::{Color, Style};
 use std::f64::consts::TAU;
 
@@ -38,10 +36,7 @@ impl Fundus<'_> {
     fn sector(&self, turn: f64, count: usize, shift: f64) -> (usize, f64) {
         let turn = self.side.turn(turn);
         let at = turn / TAU * count as f64 - shift;
-        (
-            (at.round().rem_euclid(count as f64)) as usize % count,
-            at - at.round(),
-        )
+        ((at.round().rem_euclid(count as f64)) as usize % count, at - at.round())
     }
 
     /// The strains, whose scale is that of the greatest.
@@ -72,10 +67,7 @@ impl Fundus<'_> {
         let rows = area.height - HEAD - FOOT;
         // A row above and below holds the hours.
         let radius = (f64::from(rows - 2) / 2.0).min(f64::from(area.width - 8) / 2.0 / ASPECT);
-        let centre = (
-            f64::from(area.width) / 2.0,
-            f64::from(HEAD) + f64::from(rows) / 2.0,
-        );
+        let centre = (f64::from(area.width) / 2.0, f64::from(HEAD) + f64::from(rows) / 2.0);
         let most = self.most().max(f64::MIN_POSITIVE);
         for y in 0..rows {
             for x in 0..area.width {

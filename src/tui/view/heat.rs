@@ -28,15 +28,9 @@ impl HeatMap {
 /// The forces at which the steps of heat begin: each twice the one before, the last at or below
 /// the largest force.
 pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
-    let top = if largest > 0.0 {
-        largest.log2().floor() as i32
-    } else {
-        0
-    };
+    let top = if largest > 0.0 { largest.log2().floor() as i32 } else { 0 };
     let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
-    (0..steps)
-        .map(|step| 2f64.powi(top - above(step)))
-        .collect()
+    (0..steps).map(|step| 2f64.powi(top - above(step))).collect()
 }
 
 /// The step of a force; 0 below the first threshold.
@@ -47,9 +41,7 @@ pub fn step_of(force: f64, thresholds: &[f64]) -> usize {
 /// The largest force on any node in any frame, in N.
 pub fn hottest(answer: &Answer) -> f64 {
     let frames = answer.run.frames.iter();
-    frames
-        .flat_map(|frame| frame.forces.iter().copied())
-        .fold(0.0, f64::max)
+    frames.flat_map(|frame| frame.forces.iter().copied()).fold(0.0, f64::max)
 }
 
 /// What ASCII shows for a step of heat.
@@ -67,9 +59,8 @@ mod tests {
         assert_eq!(thresholds(64.0, 2), [32.0, 64.0]);
         assert_eq!(thresholds(0.0, 2), [0.5, 1.0]);
         let steps = thresholds(73.0, 5);
-        let found: Vec<usize> = [0.0, 3.9, 4.0, 63.0, 73.0]
-            .map(|force| step_of(force, &steps))
-            .to_vec();
+        let found: Vec<usize> =
+            [0.0, 3.9, 4.0, 63.0, 73.0].map(|force| step_of(force, &steps)).to_vec();
         assert_eq!(found, [0, 0, 1, 4, 5]);
     }
 }

@@ -28,9 +28,5 @@ pub const PURPOSE: &str = "Research and education, not diagnosis";
 
 /// What is left of an area below its first rows.
 pub fn below(area: ratatui::layout::Rect, rows: u16) -> ratatui::layout::Rect {
-    ratatui::layout::Rect {
-        y: area.y + rows,
-        height: area.height.saturating_sub(rows),
-        ..area
-    }
+    ratatui::layout::Rect { y: area.y + rows, height: area.height.saturating_sub(rows), ..area }
 }

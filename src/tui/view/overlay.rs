@@ -1,12 +1,10 @@
 //! What comes in front of the screen: the presets, a name to save under, a question.
 
-use crate::tui::line::TextLine;
-use crate::tui::model::AppModel;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::view::popup::{MARGIN, frame, input};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, wrapped};
 use crate::tui::view::{changing, picker, threshold};
+use crate::tui::{line::TextLine, model::AppModel, view::sheet::Sheet};
 
 /// Draws what is in front, if anything is; the keys are drawn by who knows them all.
 pub fn draw(model: &AppModel, sheet: &mut Sheet) {

@@ -12,8 +12,7 @@ use ron::Value;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::tui::terminal::caps::Depth;
-use crate::tui::view::heat::HeatMap;
+use crate::tui::{terminal::caps::Depth, view::heat::HeatMap};
 
 /// What the terminal's ground is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -219,22 +218,12 @@ impl Palette {
 /// object.
 pub const FIELD: [Color; 11] = indexed([53, 54, 60, 24, 31, 30, 36, 72, 78, 113, 191]);
 /// The same where there are sixteen colours.
-pub const FIELD_16: [Color; 5] = [
-    Color::Black,
-    Color::Blue,
-    Color::Cyan,
-    Color::Green,
-    Color::LightGreen,
-];
+pub const FIELD_16: [Color; 5] =
+    [Color::Black, Color::Blue, Color::Cyan, Color::Green, Color::LightGreen];
 
 /// The paper's HOT map from dark red to white.
-const HOT_16: [Color; 5] = [
-    Color::Red,
-    Color::LightRed,
-    Color::Yellow,
-    Color::LightYellow,
-    Color::White,
-];
+const HOT_16: [Color; 5] =
+    [Color::Red, Color::LightRed, Color::Yellow, Color::LightYellow, Color::White];
 /// Of the same map, what can be read on black.
 const HOT_DARK: [Color; 7] = indexed([196, 202, 208, 214, 220, 228, 231]);
 /// Of the same map backwards, what can be read on white: the hottest is what stands out most on

@@ -1,12 +1,9 @@
 //! The list of everything that can be opened.
 
-use crate::tui::choices::Choice;
-use crate::tui::model::AppModel;
 use crate::tui::picker::{Picker, facts};
-use crate::tui::view::chart::mark;
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, seen, width};
+use crate::tui::{choices::Choice, model::AppModel, view::chart::mark, view::sheet::Sheet};
 
 /// Columns of a name, and the ends of the three facts.
 const NAME: u16 = 20;
@@ -32,11 +29,7 @@ pub fn draw(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
         _ if picker.marked.is_some() => "Mark two to six",
         _ => "Open",
     };
-    let below = if picker.first {
-        1 + WELCOME.len() as u16
-    } else {
-        0
-    };
+    let below = if picker.first { 1 + WELCOME.len() as u16 } else { 0 };
     let high = model.choices.len() as u16 + ABOVE + below + 2;
     let sheet = &mut frame(title, (area.width.min(92), high), sheet);
     let inside = sheet.area;
@@ -70,22 +63,14 @@ pub fn draw(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
     if picker.first {
         let top = inside.height.saturating_sub(WELCOME.len() as u16);
         for (y, text) in (top..).zip(WELCOME) {
-            sheet.put(
-                (0, y),
-                fitted(text, usize::from(inside.width)),
-                theme.text(),
-            );
+            sheet.put((0, y), fitted(text, usize::from(inside.width)), theme.text());
         }
     }
 }
 
 fn row(choice: &Choice, chosen: bool, sheet: &mut Sheet) {
     let theme = sheet.theme;
-    let style = if chosen {
-        theme.focus()
-    } else {
-        theme.strong()
-    };
+    let style = if chosen { theme.focus() } else { theme.strong() };
     sheet.put((0, 0), fitted(&choice.name, usize::from(NAME)), style);
     let scenario = match &choice.scenario {
         Ok(scenario) => scenario,

@@ -5,9 +5,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Clear, Widget};
 
 use crate::plain_text::printable;
-use crate::tui::line::TextLine;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::width;
+use crate::tui::{line::TextLine, view::sheet::Sheet, view::text::width};
 
 /// Columns that a frame takes.
 pub const MARGIN: u16 = 4;

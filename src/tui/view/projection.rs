@@ -16,11 +16,7 @@ impl Projection {
         let (width, height) = (f64::from(width), f64::from(height));
         let aspect = raster.aspect();
         let across = ((width - 1.0) / 2.0 / wide).min((height - 1.0) * aspect / 2.0 / high);
-        Self {
-            centre: (width / 2.0, height / 2.0),
-            scale: (across, across / aspect),
-            across: wide,
-        }
+        Self { centre: (width / 2.0, height / 2.0), scale: (across, across / aspect), across: wide }
     }
 
     /// In whole parts of a dot: what lies on the axis, between two rows of dots, stays in one of
@@ -28,10 +24,7 @@ impl Projection {
     pub(super) fn dot(&self, x: f64, y: f64) -> (f64, f64) {
         const PARTS: f64 = 256.0;
         let whole = |dots: f64| (dots * PARTS).round() / PARTS;
-        (
-            whole(self.centre.0 + x * self.scale.0),
-            whole(self.centre.1 - y * self.scale.1),
-        )
+        (whole(self.centre.0 + x * self.scale.0), whole(self.centre.1 - y * self.scale.1))
     }
 
     /// Whether cold fat would only blur the picture.

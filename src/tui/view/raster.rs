@@ -10,9 +10,8 @@ use ratatui::style::Style;
 use crate::tui::terminal::caps::Symbols;
 
 /// Bit 0 upper left, 1 upper right, 2 lower left, 3 lower right.
-pub(crate) const QUADRANTS: [char; 16] = [
-    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
-];
+pub(crate) const QUADRANTS: [char; 16] =
+    [' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█'];
 
 /// How a dot looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,12 +29,7 @@ pub struct Ink {
 impl Ink {
     /// A solid line.
     pub fn solid(style: Style, rank: u8, glyph: char) -> Self {
-        Self {
-            style,
-            rank,
-            glyph,
-            every: 1,
-        }
+        Self { style, rank, glyph, every: 1 }
     }
 
     /// This ink for a line that sets every `every`-th dot only.
@@ -80,10 +74,7 @@ impl Raster {
     /// Width and height in dots.
     pub fn size(&self) -> (i32, i32) {
         let (across, down) = self.grain();
-        (
-            across * i32::from(self.area.width),
-            down * i32::from(self.area.height),
-        )
+        (across * i32::from(self.area.width), down * i32::from(self.area.height))
     }
 
     /// Height of a dot over its width, taking a cell to be twice as high as wide.
@@ -160,10 +151,7 @@ impl Raster {
                 Symbols::Block => QUADRANTS[usize::from(spot.bits & 15)],
                 Symbols::Ascii => ink.glyph,
             };
-            let (x, y) = (
-                self.area.x + (i % wide) as u16,
-                self.area.y + (i / wide) as u16,
-            );
+            let (x, y) = (self.area.x + (i % wide) as u16, self.area.y + (i / wide) as u16);
             buffer[(x, y)].set_char(symbol).set_style(ink.style);
         }
     }

@@ -11,14 +11,11 @@ use crate::answer::solve::Answer;
 use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, span, whole};
 use crate::many::bands::Band;
 use crate::report::figure::{Figure, unusable, with_unit};
-use crate::report::format::digits;
-use crate::report::risks::uncounted;
+use crate::report::{format::digits, risks::uncounted};
 use crate::run::flags::FlagKind;
-use crate::tui::ensemble::widened;
 use crate::tui::model::{AppModel, FIRST_ESTIMATE};
-use crate::tui::view::below;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, longest_fitting, wrapped};
+use crate::tui::{ensemble::widened, view::below, view::sheet::Sheet};
 
 /// What [`SIGNS`] comes to where room is short, and where it is shortest.
 const SHORT_SIGNS: [&str; 2] = [
@@ -45,11 +42,7 @@ pub fn comes(model: &AppModel, answer: &Answer) -> bool {
 /// What the ranges do not hold yet, in words; none where they hold all.
 pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
     let missing = uncounted(answer)?;
-    let how = if comes(model, answer) {
-        "still counting:"
-    } else {
-        "without"
-    };
+    let how = if comes(model, answer) { "still counting:" } else { "without" };
     Some(format!("{how} {missing}"))
 }
 
@@ -98,24 +91,12 @@ struct Columns {
     like: u16,
 }
 
-const NARROW: Columns = Columns {
-    word: 14,
-    about: 34,
-    range: 43,
-    like: 50,
-};
-const BROAD: Columns = Columns {
-    word: 20,
-    about: 51,
-    range: 60,
-    like: 70,
-};
+const NARROW: Columns = Columns { word: 14, about: 34, range: 43, like: 50 };
+const BROAD: Columns = Columns { word: 20, about: 51, range: 60, like: 70 };
 
 impl Columns {
     fn of(wide: u16) -> Option<Self> {
-        [BROAD, NARROW]
-            .into_iter()
-            .find(|columns| columns.like <= wide)
+        [BROAD, NARROW].into_iter().find(|columns| columns.like <= wide)
     }
 }
 
@@ -134,9 +115,7 @@ fn short_name(injury: Injury) -> &'static str {
 fn in_signs(text: &str) -> String {
     [("at least ", "≥"), ("under ", "<"), ("over ", ">")]
         .into_iter()
-        .fold(text.to_owned(), |text, (words, sign)| {
-            text.replace(words, sign)
-        })
+        .fold(text.to_owned(), |text, (words, sign)| text.replace(words, sign))
 }
 
 /// The fewest columns of a bar.
@@ -151,25 +130,16 @@ pub fn rows(
 ) {
     // The mark of the chosen one stands before its name.
     let mark = u16::from(chosen.is_some());
-    let area = Rect {
-        x: sheet.area.x + mark,
-        width: sheet.area.width.saturating_sub(mark),
-        ..sheet.area
-    };
+    let area =
+        Rect { x: sheet.area.x + mark, width: sheet.area.width.saturating_sub(mark), ..sheet.area };
     let sheet = &mut sheet.at(area);
     let theme = sheet.theme;
     sheet.put((0, 0), heading, style);
     let columns = Columns::of(area.width);
     let bar = columns.as_ref().map_or(0, |columns| columns.like + 2);
-    let bar = Rect {
-        x: area.x + bar,
-        width: area.width.saturating_sub(bar + 1),
-        ..area
-    };
+    let bar = Rect { x: area.x + bar, width: area.width.saturating_sub(bar + 1), ..area };
     let with_bar = columns.is_some() && bar.width >= SHORTEST;
-    let tight = columns
-        .as_ref()
-        .is_some_and(|columns| columns.word == NARROW.word);
+    let tight = columns.as_ref().is_some_and(|columns| columns.word == NARROW.word);
     if let Some(columns) = &columns {
         for (right, text) in [
             (columns.about, "about"),
@@ -181,9 +151,7 @@ pub fn rows(
     }
     if with_bar {
         sheet.at(bar).put((0, 0), "0", theme.quiet());
-        sheet
-            .at(bar)
-            .put_right((bar.width, 0), "100 %", theme.quiet());
+        sheet.at(bar).put_right((bar.width, 0), "100 %", theme.quiet());
     }
     for (i, risk) in answer.risks().iter().enumerate() {
         let y = 1 + each * i as u16;
@@ -191,9 +159,7 @@ pub fn rows(
         let here = chosen == Some(i);
         let name = if here { theme.focus() } else { theme.text() };
         if here {
-            sheet.buffer[(area.x - 1, area.y + y)]
-                .set_char('▸')
-                .set_style(theme.strong());
+            sheet.buffer[(area.x - 1, area.y + y)].set_char('▸').set_style(theme.strong());
         }
         let Some(columns) = &columns else {
             let said = longest(risk, usize::from(area.width));
@@ -268,13 +234,7 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
             _ => false,
         };
         let flags = answer.flags.iter().filter(|flag| !said_already(flag.kind));
-        let flags = flags.map(|flag| {
-            if brief {
-                flag.kind.words()
-            } else {
-                &flag.message
-            }
-        });
+        let flags = flags.map(|flag| if brief { flag.kind.words() } else { &flag.message });
         let counting = counting(model, answer);
         let wider = wider(model, answer);
         // What still widens the ranges is said before it is cut off.
@@ -327,10 +287,7 @@ mod tests {
 
     fn risk(injury: Injury, times: f64) -> Risk {
         let value = times * injury.curve().half;
-        let known = Known {
-            value,
-            ..Known::default()
-        };
+        let known = Known { value, ..Known::default() };
         injury.assess(&Blow::default(), known)
     }
 

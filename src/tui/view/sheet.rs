@@ -5,9 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::plain_text::printable;
-use crate::tui::look::Look;
 use crate::tui::view::text::{fitted, longest_fitting, width};
-use crate::tui::view::theme::Theme;
+use crate::tui::{look::Look, view::theme::Theme};
 
 /// The cell that lies at a share of so many, from 0 for the first to 1 for the last.
 pub fn along(share: f64, cells: u16) -> u16 {
@@ -28,20 +27,12 @@ impl<'a> Sheet<'a> {
     /// A part of a screen with this look.
     pub fn new(buffer: &'a mut Buffer, area: Rect, look: Look) -> Self {
         let theme = Theme::of(look);
-        Self {
-            buffer,
-            area,
-            theme,
-        }
+        Self { buffer, area, theme }
     }
 
     /// Another part of the screen.
     pub fn at(&mut self, area: Rect) -> Sheet<'_> {
-        Sheet {
-            buffer: self.buffer,
-            area,
-            theme: self.theme,
-        }
+        Sheet { buffer: self.buffer, area, theme: self.theme }
     }
 
     /// A part of this one: where it begins in it, and how wide and high it is.

@@ -48,9 +48,7 @@ pub fn longest_fitting<T: AsRef<str>>(texts: &[T], room: u16) -> &str {
 pub fn whole_sentences(sentences: &[String], room: usize, rows: usize) -> Vec<String> {
     let some = |count: usize| wrapped(&sentences[..count].join(" "), room);
     let mut fitting = (1..=sentences.len()).rev().map(some);
-    fitting
-        .find(|lines| lines.len() <= rows)
-        .unwrap_or_else(|| some(1))
+    fitting.find(|lines| lines.len() <= rows).unwrap_or_else(|| some(1))
 }
 
 /// Parts in as few lines as fit, none of them broken.
@@ -113,10 +111,8 @@ pub fn to_ascii(buffer: &mut Buffer) {
         // An error right behind its sign has the space before it.
         let column = at % columns;
         if column > 0 && column + 1 < columns && buffer.content[at].symbol() == "±" {
-            let (before, after) = (
-                buffer.content[at - 1].symbol(),
-                buffer.content[at + 1].symbol(),
-            );
+            let (before, after) =
+                (buffer.content[at - 1].symbol(), buffer.content[at + 1].symbol());
             if before == " " && after.starts_with(|c: char| c.is_ascii_digit() || "<?".contains(c))
             {
                 buffer.content[at - 1].set_symbol("+");

@@ -6,9 +6,8 @@ use ratatui::style::{Color, Modifier, Style};
 use crate::injury::{Risk, gravity};
 use crate::report::picture::Part;
 use crate::run::places::Region;
-use crate::tui::look::Look;
-use crate::tui::terminal::caps::Depth;
 use crate::tui::view::palette::{Colour, Colours, FIELD, FIELD_16};
+use crate::tui::{look::Look, terminal::caps::Depth};
 
 /// Styles by role.
 #[derive(Debug, Clone, Copy)]
@@ -92,9 +91,7 @@ impl Theme {
         // Where the bar is reversed this is not.
         let plain = Style::new().remove_modifier(REVERSED);
         let chosen = on(self.colours.chosen, self.colours.chosen_ground);
-        chosen
-            .map_or(plain, |style| plain.patch(style))
-            .add_modifier(BOLD)
+        chosen.map_or(plain, |style| plain.patch(style)).add_modifier(BOLD)
     }
 
     /// A frame round something, or an axis.
@@ -122,9 +119,7 @@ impl Theme {
             _ => Style::new().add_modifier(DIM),
         };
         let of = self.colours;
-        let curves = [
-            of.curve_1, of.curve_2, of.curve_3, of.curve_4, of.curve_5, of.curve_6,
-        ];
+        let curves = [of.curve_1, of.curve_2, of.curve_3, of.curve_4, of.curve_5, of.curve_6];
         pick(curves[index % curves.len()], mono)
     }
 
@@ -143,12 +138,7 @@ impl Theme {
 
     /// Something that is so many times its limit.
     pub fn gauge(self, share: f64) -> Style {
-        self.grave(
-            [0.5, 1.0, 2.0]
-                .iter()
-                .take_while(|limit| share >= **limit)
-                .count(),
-        )
+        self.grave([0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count())
     }
 
     /// A risk by the upper end of its range, so that no colour is surer than that; none where the
@@ -261,8 +251,7 @@ fn on(role: Colour, ground: Colour) -> Option<Style> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::terminal::caps::Symbols;
-    use crate::tui::view::heat::HeatMap;
+    use crate::tui::{terminal::caps::Symbols, view::heat::HeatMap};
 
     /// The contrast that text needs (WCAG 2.1, 1.4.3).
     const READABLE: f64 = 4.5;
@@ -279,11 +268,7 @@ mod tests {
             panic!("{color:?} is none of the 256");
         };
         let level = |step: u8| {
-            if step == 0 {
-                0.0
-            } else {
-                f64::from(55 + 40 * u32::from(step))
-            }
+            if step == 0 { 0.0 } else { f64::from(55 + 40 * u32::from(step)) }
         };
         let bytes = match index {
             16..=231 => {
@@ -299,11 +284,7 @@ mod tests {
     /// Relative luminance as WCAG has it.
     fn luminance(color: Color) -> f64 {
         let linear = |c: f64| {
-            if c <= 0.040_45 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
+            if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
         };
         let [red, green, blue] = rgb(color).map(linear);
         0.2126 * red + 0.7152 * green + 0.0722 * blue

@@ -3,12 +3,9 @@
 use ratatui::style::Style;
 
 use crate::report::threshold::{brief, never};
-use crate::tui::form::typed_text;
-use crate::tui::model::AppModel;
-use crate::tui::threshold::Asking;
 use crate::tui::view::popup::{frame, input};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{width, wrapped};
+use crate::tui::{form::typed_text, model::AppModel, threshold::Asking, view::sheet::Sheet};
 
 /// Draws it in the middle of `area`.
 pub fn draw(model: &AppModel, asking: &Asking, sheet: &mut Sheet) {
@@ -66,15 +63,9 @@ pub fn draw(model: &AppModel, asking: &Asking, sheet: &mut Sheet) {
                 1 => "",
                 _ => " Tab goes to the next.",
             };
-            say(
-                &format!("Enter takes {taken} {unit}.{next} Esc leaves {now}."),
-                theme.quiet(),
-            );
+            say(&format!("Enter takes {taken} {unit}.{next} Esc leaves {now}."), theme.quiet());
         }
     } else {
-        say(
-            "Enter looks for it over the whole range, for some seconds.",
-            theme.quiet(),
-        );
+        say("Enter looks for it over the whole range, for some seconds.", theme.quiet());
     }
 }

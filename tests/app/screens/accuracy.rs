@@ -119,10 +119,7 @@ fn it_measures_while_it_is_on_show_and_goes_on_where_it_was() {
     let known = here(&app).of(&app.model.work.scenario).unwrap();
     assert_eq!(known.done, 20);
     assert!(key(&mut app, KeyCode::Esc).contains(&Effect::Stop(ticket)));
-    assert!(
-        key(&mut app, KeyCode::F(5)).is_empty(),
-        "only a key goes on"
-    );
+    assert!(key(&mut app, KeyCode::F(5)).is_empty(), "only a key goes on");
     let ticket = ticket_of(&letter(&mut app, 'm')).unwrap();
     // Another scenario is measured from the beginning.
     key(&mut app, KeyCode::F(1));
@@ -143,15 +140,9 @@ fn what_is_more_exact_says_what_it_costs_before_it_is_done() {
     assert_eq!(app.about().title, "Accuracy");
     let ticket = here(&app).task.job.as_ref().unwrap().ticket;
     let totals = crate::made_up_accuracy::made_up();
-    update(
-        &mut app,
-        Message::News(Report::done::<MeasureAccuracy>(ticket, Ok(totals))),
-    );
+    update(&mut app, Message::News(Report::done::<MeasureAccuracy>(ticket, Ok(totals))));
     let words = asked(&app);
-    assert!(
-        words.contains("Error of the damage index: ") && words.contains("ms"),
-        "{words}"
-    );
+    assert!(words.contains("Error of the damage index: ") && words.contains("ms"), "{words}");
     key(&mut app, KeyCode::Esc);
     assert_eq!(app.model.work.scenario.eye.level, 1);
     // Known by now: it is asked on any screen.

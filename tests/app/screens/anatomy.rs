@@ -51,20 +51,15 @@ fn bytes(app: &mut App, size: (u16, u16), frames: u32) -> (usize, usize) {
             out.len()
         })
         .collect();
-    (
-        sent.iter().sum::<usize>() / sent.len(),
-        *sent.iter().max().unwrap(),
-    )
+    (sent.iter().sum::<usize>() / sent.len(), *sent.iter().max().unwrap())
 }
 
 #[test]
 fn a_playing_replay_keeps_to_its_bytes() {
     for preset in ["squash-ball", "bb-56"] {
-        for (screen, size, most) in [
-            ("\x1b1", (80, 24), 1000),
-            ("\x1b2", (80, 24), 1000),
-            ("\x1b2", (120, 40), 3500),
-        ] {
+        for (screen, size, most) in
+            [("\x1b1", (80, 24), 1000), ("\x1b2", (80, 24), 1000), ("\x1b2", (120, 40), 3500)]
+        {
             for depth in [Depth::TwoFiveSix, Depth::Sixteen, Depth::Mono] {
                 let mut app = app_by(&[preset], depth, solved);
                 press(&mut app, screen);
@@ -75,10 +70,7 @@ fn a_playing_replay_keeps_to_its_bytes() {
                      ms, {largest} at most, {whole} in 5 ms",
                     &screen[1..]
                 );
-                assert!(
-                    first.max(whole) <= most,
-                    "{preset} {size:?} {depth:?}: {first}"
-                );
+                assert!(first.max(whole) <= most, "{preset} {size:?} {depth:?}: {first}");
             }
         }
     }
@@ -117,8 +109,5 @@ fn the_picture_of_the_readme_shows_six_moments_of_a_squash_ball() {
     }
     let kept = std::fs::read_to_string(file).unwrap_or_default();
     let renew = "FIGURES=moments cargo test --release --test app six_moments";
-    assert!(
-        kept == drawn,
-        "the eye is drawn otherwise; `{renew}` draws it again"
-    );
+    assert!(kept == drawn, "the eye is drawn otherwise; `{renew}` draws it again");
 }

@@ -45,22 +45,14 @@ fn bands_of_the_scenario_before_are_not_shown() {
     // Undone on the screen itself: nothing is shown before it has run.
     press(&mut app, "u");
     let text = picture(&app, (80, 24));
-    assert!(
-        text.contains("0 of 1000") && !text.contains("Bands of"),
-        "{text}"
-    );
+    assert!(text.contains("0 of 1000") && !text.contains("Bands of"), "{text}");
 }
 
 #[test]
 fn what_the_bands_hold_is_said_beside_many_results() {
     let mut app = app(&["golf-ball"], Depth::Mono);
     open_changed(&mut app, |_| {});
-    let results = app
-        .model
-        .ensemble
-        .of(&app.model.work.scenario)
-        .unwrap()
-        .results();
+    let results = app.model.ensemble.of(&app.model.work.scenario).unwrap().results();
     assert!(results.len() > 13);
     for keys in ["", "jjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjjj"] {
         press(&mut app, keys);
@@ -73,14 +65,8 @@ fn what_the_bands_hold_is_said_beside_many_results() {
             let shown = text.lines().filter(named).count();
             let marked = text.contains(&format!(" of {} ", results.len()));
             assert_eq!(marked, shown < results.len(), "{text}");
-            assert_eq!(
-                shown < results.len() && keys.is_empty(),
-                text.contains(" ▾")
-            );
-            assert_eq!(
-                shown < results.len() && !keys.is_empty(),
-                text.contains("▴ ")
-            );
+            assert_eq!(shown < results.len() && keys.is_empty(), text.contains(" ▾"));
+            assert_eq!(shown < results.len() && !keys.is_empty(), text.contains("▴ "));
             let drivers = line_from(&text, "What drives");
             assert!(drivers.contains(" of "), "{text}");
         }
@@ -109,9 +95,7 @@ fn risks_lead_with_the_answer_beside_the_samples_and_the_wider_is_shown() {
             let text = picture(&app, size);
             assert!(text.contains("▸globe rupture"), "{text}");
             let words: Vec<&str> = text.split_whitespace().collect();
-            let said = words
-                .join(" ")
-                .contains("Wider than the answer, so shown: rupture");
+            let said = words.join(" ").contains("Wider than the answer, so shown: rupture");
             assert_eq!(said, wide, "{text}");
             let line = line_from(&text, "globe rupture %");
             let rupture = &known[0];
@@ -148,9 +132,8 @@ fn numbers_of_any_length_stand_apart() {
             ("width growth M %", "-1.0e-13"),
             ("energy imparted E J", "123457"),
         ] {
-            let words: Vec<&str> = line_from(&text, name)[name.len()..]
-                .split_whitespace()
-                .collect();
+            let words: Vec<&str> =
+                line_from(&text, name)[name.len()..].split_whitespace().collect();
             assert_eq!(words[..3], [value; 3], "{text}");
         }
     }

@@ -33,12 +33,7 @@ use crate::{made_up, made_up_accuracy};
 pub const SIZES: [(u16, u16); 3] = [(60, 20), (80, 24), (120, 40)];
 
 pub fn look(depth: Depth) -> Look {
-    Look {
-        depth,
-        symbols: Symbols::Braille,
-        heat: HeatMap::Hot,
-        palette: Palette::default(),
-    }
+    Look { depth, symbols: Symbols::Braille, heat: HeatMap::Hot, palette: Palette::default() }
 }
 
 /// Answers what the app's threads would, by `find`.
@@ -136,9 +131,7 @@ pub fn cells(app: &App, (width, height): (u16, u16)) -> Buffer {
 fn lines(buffer: &Buffer, of: impl FnMut(&Cell) -> String) -> String {
     let width = usize::from(buffer.area.width);
     let cells: Vec<String> = buffer.content.iter().map(of).collect();
-    let rows = cells
-        .chunks(width)
-        .map(|row| row.concat().trim_end().to_owned() + "\n");
+    let rows = cells.chunks(width).map(|row| row.concat().trim_end().to_owned() + "\n");
     rows.collect()
 }
 
@@ -154,21 +147,13 @@ fn words(style: Style) -> String {
     words.extend(coloured(style.fg).map(|colour| format!("{colour:?}")));
     words.extend(coloured(style.bg).map(|colour| format!("on {colour:?}")));
     let modifiers = style.add_modifier;
-    words.extend(
-        modifiers
-            .iter_names()
-            .map(|(name, _): (&str, Modifier)| name.to_lowercase()),
-    );
+    words.extend(modifiers.iter_names().map(|(name, _): (&str, Modifier)| name.to_lowercase()));
     words.join(" ")
 }
 
 /// Letters enough for all styles of a screen.
 fn letters_of_styles() -> impl Iterator<Item = char> {
-    ('a'..='z')
-        .chain('A'..='Z')
-        .chain('0'..='9')
-        .chain('α'..='ω')
-        .chain('Ѐ'..='џ')
+    ('a'..='z').chain('A'..='Z').chain('0'..='9').chain('α'..='ω').chain('Ѐ'..='џ')
 }
 
 /// The text of a screen of 80 x 24; below it, where it is styled, a letter for each cell's style;
@@ -189,10 +174,8 @@ pub fn styled(app: &App) -> String {
         });
         letters_of_styles().nth(at).unwrap().to_string()
     });
-    let names = styles
-        .iter()
-        .zip(letters_of_styles())
-        .map(|(style, letter)| format!("{letter} {style}\n"));
+    let names =
+        styles.iter().zip(letters_of_styles()).map(|(style, letter)| format!("{letter} {style}\n"));
     let names: String = names.collect();
     let text = picture(app, (80, 24));
     format!("{text}\n{letters}\n{names}")

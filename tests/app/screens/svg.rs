@@ -91,19 +91,9 @@ fn look(cell: &Cell) -> Look {
 /// The dots of a braille character, as columns and rows of 2 x 4.
 fn dots(symbol: char) -> Option<Vec<(u16, u16)>> {
     // The order of the bits: down the left, down the right, then the lowest of both.
-    const PLACES: [(u16, u16); 8] = [
-        (0, 0),
-        (0, 1),
-        (0, 2),
-        (1, 0),
-        (1, 1),
-        (1, 2),
-        (0, 3),
-        (1, 3),
-    ];
-    let bits = u32::from(symbol)
-        .checked_sub(0x2800)
-        .filter(|bits| *bits < 256)?;
+    const PLACES: [(u16, u16); 8] =
+        [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (0, 3), (1, 3)];
+    let bits = u32::from(symbol).checked_sub(0x2800).filter(|bits| *bits < 256)?;
     let set = (0..8).filter(|bit| bits >> bit & 1 == 1);
     Some(set.map(|bit| PLACES[bit]).collect())
 }
@@ -127,9 +117,8 @@ fn strokes(symbol: char) -> Option<(&'static [[f64; 4]], f64)> {
 
 /// The quarters of a block that are filled, as columns and rows of 2 x 2.
 fn quarters(symbol: char) -> Option<Vec<(u16, u16)>> {
-    const SIGNS: [char; 15] = [
-        ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟',
-    ];
+    const SIGNS: [char; 15] =
+        [' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟'];
     let mask = SIGNS[1..].iter().position(|sign| *sign == symbol)? + 1;
     let set = (0..4).filter(|bit| mask >> bit & 1 == 1);
     Some(set.map(|bit: u16| (bit % 2, bit / 2)).collect())
@@ -138,10 +127,7 @@ fn quarters(symbol: char) -> Option<Vec<(u16, u16)>> {
 /// Draws a buffer.
 pub fn svg(buffer: &Buffer, title: &str) -> String {
     let area = buffer.area;
-    let size = (
-        f64::from(area.width) * CELL.0,
-        f64::from(area.height) * CELL.1,
-    );
+    let size = (f64::from(area.width) * CELL.0, f64::from(area.height) * CELL.1);
     let mut paths: BTreeMap<(String, String, bool), String> = BTreeMap::new();
     let (mut papers, mut blocks): (BTreeMap<String, String>, BTreeMap<String, String>) =
         Default::default();
@@ -157,9 +143,8 @@ pub fn svg(buffer: &Buffer, title: &str) -> String {
                 let symbol = buffer[(x, y)].symbol().chars().next().unwrap_or(' ');
                 let left = f64::from(x) * CELL.0;
                 if let Some(dots) = dots(symbol) {
-                    let path = paths
-                        .entry((own.ink.clone(), "2.1".to_owned(), own.dim))
-                        .or_default();
+                    let path =
+                        paths.entry((own.ink.clone(), "2.1".to_owned(), own.dim)).or_default();
                     for (column, row) in dots {
                         let at = (
                             left + (0.5 + f64::from(column)) * CELL.0 / 2.0,
@@ -205,11 +190,7 @@ pub fn svg(buffer: &Buffer, title: &str) -> String {
     for ((ink, thick, dim), path) in paths {
         // Bars and lines meet their neighbours; dots are round.
         let cap = if path.contains('h') { "round" } else { "butt" };
-        let faint = if dim {
-            format!(r#" opacity="{DIM}""#)
-        } else {
-            String::new()
-        };
+        let faint = if dim { format!(r#" opacity="{DIM}""#) } else { String::new() };
         let _ = writeln!(
             drawn,
             r#"<path fill="none" stroke="{ink}" stroke-width="{thick}" stroke-linecap="{cap}"{faint} d="{path}"/>"#
@@ -250,25 +231,10 @@ fn words(run: &str, look: &Look, left: f64, top: f64) -> String {
             end += 1;
         }
         let word: String = cells[at..end].iter().collect();
-        let word = word
-            .replace('&', "&amp;")
-            .replace('<', "&lt;")
-            .replace('>', "&gt;");
-        let place = (
-            left + at as f64 * CELL.0,
-            top + 0.75 * CELL.1,
-            (end - at) as f64 * CELL.0,
-        );
-        let bold = if look.bold {
-            r#" font-weight="bold""#
-        } else {
-            ""
-        };
-        let faint = if look.dim {
-            format!(r#" opacity="{DIM}""#)
-        } else {
-            String::new()
-        };
+        let word = word.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        let place = (left + at as f64 * CELL.0, top + 0.75 * CELL.1, (end - at) as f64 * CELL.0);
+        let bold = if look.bold { r#" font-weight="bold""# } else { "" };
+        let faint = if look.dim { format!(r#" opacity="{DIM}""#) } else { String::new() };
         let _ = writeln!(
             text,
             r#"<text x="{}" y="{:.1}" textLength="{}" lengthAdjust="spacingAndGlyphs" fill="{}"{bold}{faint}>{word}</text>"#,

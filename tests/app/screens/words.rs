@@ -23,12 +23,7 @@ fn a_small_terminal_still_asks_what_it_waits_for() {
     for size in [(60, 5), (20, 5), (59, 19)] {
         let text = picture(&app, size).replace('\n', " ");
         let words: Vec<&str> = text.split_whitespace().collect();
-        assert!(
-            words
-                .join(" ")
-                .contains("Quit without saving the changes? y or n"),
-            "{text}"
-        );
+        assert!(words.join(" ").contains("Quit without saving the changes? y or n"), "{text}");
     }
 }
 
@@ -39,17 +34,11 @@ fn a_refused_edit_keeps_the_last_good_result_marked_as_such() {
     let good = Arc::clone(&app.model.shown.as_ref().unwrap().answer);
     let question = Simulate(app.model.work.scenario.clone());
     app.model.run.ask(question, &mut app.model.out);
-    let refusal = Refusal::StepAboveLimit {
-        step_us: 900.0,
-        integrator: "velocity-verlet",
-        limit_us: 7.0,
-    };
+    let refusal =
+        Refusal::StepAboveLimit { step_us: 900.0, integrator: "velocity-verlet", limit_us: 7.0 };
     let report = Report::done::<Simulate>(ticket(&app.model.run), Err(refusal));
     update(&mut app, Message::News(report));
-    assert!(Arc::ptr_eq(
-        &good,
-        &app.model.shown.as_ref().unwrap().answer
-    ));
+    assert!(Arc::ptr_eq(&good, &app.model.shown.as_ref().unwrap().answer));
     let text = picture(&app, (80, 24));
     assert!(text.contains("last good result") && text.contains("above the"));
 }
@@ -62,9 +51,9 @@ fn no_size_and_no_screen_makes_the_drawing_fail() {
     open_mapped(&mut app);
     for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
         app.model.look.symbols = symbols;
-        for keys in [
-            "\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "6", "7", "8", "1?", "?p", "\x1bs",
-        ] {
+        for keys in
+            ["\x1b1", "\x1b2", "3", "v", "4", "\t", "\t", "5", "6", "7", "8", "1?", "?p", "\x1bs"]
+        {
             press(&mut app, keys);
             for width in [1, 20, 59, 60, 61, 79, 100, 300] {
                 for height in [1, 5, 19, 20, 21, 50, 100] {
@@ -97,13 +86,7 @@ fn figures_of_no_checked_source_are_marked_until_they_are_typed() {
         let text = picture(&app, size);
         assert!(line_from(&text, " Speed").starts_with(" Speed "));
         assert!(line_from(&text, " Speed").contains(" ? "));
-        assert!(
-            !line_from(&text, " Mass")
-                .split('│')
-                .next()
-                .unwrap()
-                .contains('?')
-        );
+        assert!(!line_from(&text, " Mass").split('│').next().unwrap().contains('?'));
         app.model.form.selected = FormRow::Field(speed);
         assert!(picture(&app, size).contains("? unverified figure"));
     }
@@ -130,9 +113,7 @@ fn parts_of_a_large_blow_say_how_many_times_their_limit_they_are() {
     for size in SIZES {
         let text = picture(&app, size);
         for (name, times) in parts {
-            let lines = text
-                .lines()
-                .filter(|line| line.contains(&format!("{name} ")));
+            let lines = text.lines().filter(|line| line.contains(&format!("{name} ")));
             let near = |word: &str| {
                 let value: Option<f64> = word.trim_end_matches(',').parse().ok();
                 value.is_some_and(|value| (value / times - 1.0).abs() < 0.06)
@@ -227,23 +208,13 @@ fn curves_that_no_answer_has_are_not_offered() {
 
 #[test]
 fn six_marked_presets_leave_room_for_their_curves() {
-    let six = [
-        "paper-300n",
-        "paper-100n",
-        "paper-600n",
-        "wide-area",
-        "bb-56",
-        "golf-ball",
-    ];
+    let six = ["paper-300n", "paper-100n", "paper-600n", "wide-area", "bb-56", "golf-ball"];
     let mut app = app(&six, Depth::Mono);
     press(&mut app, "\x1b4");
     for size in SIZES {
         let text = picture(&app, size);
         assert!(text.contains("pressure, MPa") && text.contains("v curves"));
-        assert!(
-            six.iter()
-                .all(|name| text.contains(&name[..8.min(name.len())]))
-        );
+        assert!(six.iter().all(|name| text.contains(&name[..8.min(name.len())])));
     }
 }
 
@@ -267,10 +238,7 @@ fn a_peak_has_its_error_and_its_time_beside_it_however_long_its_number() {
         }
     }
     let text = picture(&app, (80, 24));
-    let times = without_form(&text, 80)
-        .lines()
-        .filter(|line| line.ends_with("ms"))
-        .count();
+    let times = without_form(&text, 80).lines().filter(|line| line.ends_with("ms")).count();
     assert!(times >= 4, "{text}");
 }
 
@@ -290,51 +258,27 @@ fn what_a_state_must_say_is_said_at_every_size() {
         press(&mut app, keys);
         app
     };
-    said(
-        &after(&[], "ajjjjjjjj\r-"),
-        &["▸Name", "1 to 80", "Enter accept", "Esc restore"],
-    );
+    said(&after(&[], "ajjjjjjjj\r-"), &["▸Name", "1 to 80", "Enter accept", "Esc restore"]);
     said(
         &after(&["paper-600n"], &("L".repeat(30) + "\tKK")),
         &["3600 N", "20 deg", "mesh folded", "←→ width"],
     );
     said(&after(&[], "\x1b5"), &["How exact", "0 %", "Esc stops"]);
-    said(
-        &after(&[], "\x1b6"),
-        &["0 of 1000", "Esc stops", "into a field"],
-    );
+    said(&after(&[], "\x1b6"), &["0 of 1000", "Esc stops", "into a field"]);
     said(
         &after(&["off-axis-triangle"], "\x1b7x-"),
         &["Angle across, Duration up", "not known yet", "o your blow"],
     );
     said(
         &after(&[], "\x1b8"),
-        &[
-            "Paper's index",
-            "(100 = worst in the paper)",
-            "not told: the section",
-        ],
+        &["Paper's index", "(100 = worst in the paper)", "not told: the section"],
     );
-    said(
-        &after(&["fist"], ".3\r\x1b2"),
-        &["Now", "contact", "Physiological model"],
-    );
-    said(
-        &after(&["bb-56"], "\x1b3vvvvvvvvv"),
-        &["pressure", "stress"],
-    );
+    said(&after(&["fist"], ".3\r\x1b2"), &["Now", "contact", "Physiological model"]);
+    said(&after(&["bb-56"], "\x1b3vvvvvvvvv"), &["pressure", "stress"]);
     let mut app = app(&[], Depth::Mono);
     open_measured(&mut app);
     press(&mut app, "Ll");
-    said(
-        &app,
-        &[
-            "▸ ",
-            " of 24",
-            "mesh error  level 1: ",
-            "Error of the damage",
-        ],
-    );
+    said(&app, &["▸ ", " of 24", "mesh error  level 1: ", "Error of the damage"]);
     press(&mut app, ">");
     said(&app, &["Error of the damage index: ", "Enter or y: yes"]);
 }
@@ -374,10 +318,7 @@ fn nothing_is_cut_where_a_terminal_is_small() {
                 }
                 for (width, height) in [(60, 20), (80, 24), (100, 30), (160, 50)] {
                     let text = picture(&app, (width, height));
-                    assert!(
-                        !text.contains('…'),
-                        "{preset} {screen} {width}x{height}\n{text}"
-                    );
+                    assert!(!text.contains('…'), "{preset} {screen} {width}x{height}\n{text}");
                 }
             }
         }
@@ -393,14 +334,8 @@ const LONG: [&str; 6] = [
     "hyphema",
     "corneal abrasion",
 ];
-const SHORT: [&str; 6] = [
-    "globe rupture",
-    "retina, back",
-    "retina, edge",
-    "lens torn off",
-    "hyphema",
-    "abrasion",
-];
+const SHORT: [&str; 6] =
+    ["globe rupture", "retina, back", "retina, edge", "lens torn off", "hyphema", "abrasion"];
 
 #[test]
 fn what_stands_behind_a_risk_ends_with_a_whole_sentence_however_small_the_terminal() {
@@ -439,10 +374,7 @@ fn the_words_and_the_range_of_a_risk_are_the_same_on_every_screen() {
         press(&mut app, keys);
         for size in [(80, 24), (120, 40), (160, 50)] {
             let text = picture(&app, size);
-            assert!(
-                text.contains("still counting") || keys == "\x1b4 ",
-                "{text}"
-            );
+            assert!(text.contains("still counting") || keys == "\x1b4 ", "{text}");
             if keys == "\x1b4 " {
                 // One row says the gravest.
                 continue;
@@ -470,14 +402,7 @@ fn the_words_and_the_range_of_a_risk_are_the_same_on_every_screen() {
 fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
     for preset in ["squash-ball", "bb-62", "paintball", "soccer-ball"] {
         let text = picture(&app(&[preset], Depth::Mono), (80, 24));
-        for word in [
-            "globe rupture ",
-            "retina",
-            "edge",
-            "lens",
-            "hyphema",
-            "abrasion",
-        ] {
+        for word in ["globe rupture ", "retina", "edge", "lens", "hyphema", "abrasion"] {
             assert!(text.contains(word), "{word}\n{text}");
         }
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -495,12 +420,8 @@ fn every_node_has_one_name_and_its_peak_is_visited() {
         }
         let mut visited = std::collections::BTreeSet::new();
         let shown = app.model.shown.as_ref().unwrap();
-        let peaks = [
-            Quantity::ForceCentre,
-            Quantity::ForceFront,
-            Quantity::ForceRight,
-            Quantity::ForceTop,
-        ];
+        let peaks =
+            [Quantity::ForceCentre, Quantity::ForceFront, Quantity::ForceRight, Quantity::ForceTop];
         let peaks = peaks.map(|of| shown.answer.peak(of).unwrap().time);
         for _ in 0..30 {
             press(&mut app, "g");
@@ -530,10 +451,7 @@ fn a_wide_terminal_has_risks_and_pressure_beside_the_score() {
         assert!(text.contains(words), "{words}\n{text}");
     }
     let text = picture(&app(&[], Depth::Mono), (160, 50));
-    assert!(
-        text.contains("wall growth S, %") && text.contains("not told"),
-        "{text}"
-    );
+    assert!(text.contains("wall growth S, %") && text.contains("not told"), "{text}");
 }
 
 #[test]
@@ -543,10 +461,7 @@ fn the_help_begins_with_the_screen_on_show_and_explains_every_word() {
     for size in SIZES {
         let text = picture(&app, size);
         assert!(text.contains("8 Injury: What is hurt?"), "{text}");
-        assert!(
-            text.contains("the injury above") && !text.contains('…'),
-            "{text}"
-        );
+        assert!(text.contains("the injury above") && !text.contains('…'), "{text}");
     }
     let mut seen = String::new();
     for _ in 0..60 {
@@ -569,10 +484,8 @@ fn front_back_and_up_are_named_on_the_eye_and_its_monitored_nodes_marked() {
             assert!(eye.iter().any(|line| line.contains(word)), "{word}\n{text}");
         }
         // The legend stands at the right.
-        let letters: String = eye
-            .iter()
-            .flat_map(|line| line.chars().take(size.0 as usize - 24))
-            .collect();
+        let letters: String =
+            eye.iter().flat_map(|line| line.chars().take(size.0 as usize - 24)).collect();
         for letter in ['C', 'F', 'R', 'T'] {
             assert!(letters.contains(letter), "{letter}\n{text}");
         }
@@ -617,10 +530,7 @@ fn accuracy_says_first_what_less_error_costs_and_a_map_has_figures_on_its_lines(
     for size in SIZES {
         let text = picture(&app, size);
         let second = text.lines().nth(2).unwrap();
-        assert!(
-            second.contains(" % off costs ") && second.contains(" ms"),
-            "{text}"
-        );
+        assert!(second.contains(" % off costs ") && second.contains(" ms"), "{text}");
     }
     open_mapped(&mut app);
     for size in SIZES {

@@ -70,17 +70,10 @@ pub static FIGURES: &[Figures] = &[
         command: "contrecoup run squash-ball",
         form: Form::Of("contrecoup run squash-ball"),
         excerpt: |text| {
-            only(text, |line| {
-                !line.starts_with("Pain, ") && !line.starts_with("today; ")
-            })
+            only(text, |line| !line.starts_with("Pain, ") && !line.starts_with("today; "))
         },
     },
-    Figures {
-        name: "coverage",
-        command: COVERAGE,
-        form: FEW,
-        excerpt: str::to_owned,
-    },
+    Figures { name: "coverage", command: COVERAGE, form: FEW, excerpt: str::to_owned },
     Figures {
         name: "coverage-in-short",
         command: COVERAGE,
@@ -102,14 +95,7 @@ pub static FIGURES: &[Figures] = &[
     Figures {
         name: "injury-fit",
         command: "contrecoup verify fit",
-        form: Form::Rows(|| {
-            vec![
-                "globe rupture ",
-                "hyphema ",
-                "  BB 4.5 mm ",
-                "  foam 12.4 mm ",
-            ]
-        }),
+        form: Form::Rows(|| vec!["globe rupture ", "hyphema ", "  BB 4.5 mm ", "  foam 12.4 mm "]),
         excerpt: str::to_owned,
     },
     Figures {
@@ -118,18 +104,8 @@ pub static FIGURES: &[Figures] = &[
         form: Form::Rows(|| vec!["asked for ", "50 % ", "20 % ", "10 % ", "5.0 % ", "2.0 % "]),
         excerpt: str::to_owned,
     },
-    Figures {
-        name: "methods",
-        command: ACCURACY,
-        form: SHORT,
-        excerpt: methods,
-    },
-    Figures {
-        name: "meshes",
-        command: ACCURACY,
-        form: SHORT,
-        excerpt: meshes,
-    },
+    Figures { name: "methods", command: ACCURACY, form: SHORT, excerpt: methods },
+    Figures { name: "meshes", command: ACCURACY, form: SHORT, excerpt: meshes },
     Figures {
         name: "axisymmetric-methods",
         command: ACCURACY_OF_AXISYMMETRIC,
@@ -210,18 +186,13 @@ pub fn printed(command: &str) -> String {
 
 /// What stands before the first line that begins with `end`, which is led by a line break.
 fn before(text: &str, end: &str) -> String {
-    let at = text
-        .find(end)
-        .unwrap_or_else(|| panic!("no {end:?} in\n{text}"));
+    let at = text.find(end).unwrap_or_else(|| panic!("no {end:?} in\n{text}"));
     format!("{}\n", text[..at].trim_end())
 }
 
 /// From the first line on that begins with `begin`.
 fn from(text: &str, begin: &str) -> String {
-    let lines: Vec<&str> = text
-        .lines()
-        .skip_while(|line| !line.starts_with(begin))
-        .collect();
+    let lines: Vec<&str> = text.lines().skip_while(|line| !line.starts_with(begin)).collect();
     assert!(!lines.is_empty(), "no {begin:?} in\n{text}");
     lines.join("\n") + "\n"
 }
@@ -242,10 +213,7 @@ fn meshes(text: &str) -> String {
 }
 
 fn only(text: &str, keep: impl Fn(&&str) -> bool) -> String {
-    text.lines()
-        .filter(keep)
-        .map(|line| line.to_owned() + "\n")
-        .collect()
+    text.lines().filter(keep).map(|line| line.to_owned() + "\n").collect()
 }
 
 /// Where the benchmark begins its figures.
@@ -269,11 +237,7 @@ fn bench(text: &str) -> String {
             let missed = if met == "no" { " !" } else { "" };
             let line = format!("{name:<NAMES$}{ratio:>6} {wanted}{missed}");
             // What divides the head of a table in Markdown is not needed here.
-            if name.starts_with("--") {
-                None
-            } else {
-                Some(line)
-            }
+            if name.starts_with("--") { None } else { Some(line) }
         }
         _ if line.ends_with(['s', '%']) && line.len() > NAMES => {
             let (name, figures) = line.split_at(NAMES);
@@ -289,11 +253,7 @@ fn bench(text: &str) -> String {
 fn wire(text: &str) -> String {
     let row = |line: &str| {
         let begin = WIRE.iter().find_map(|row| line.find(row))?;
-        Some(
-            line[begin..]
-                .replace(", 80x24:", ":")
-                .replace("on the wire with -C", "with ssh -C"),
-        )
+        Some(line[begin..].replace(", 80x24:", ":").replace("on the wire with -C", "with ssh -C"))
     };
     let mut lines: Vec<String> = text.lines().filter_map(row).collect();
     lines.sort_by_key(|line| WIRE.iter().position(|row| line.starts_with(row)));
@@ -322,9 +282,7 @@ fn line_form(line: &str) -> String {
     const VERDICTS: [&str; 5] = ["accurate", "flagged", "refused", "yes", "NO"];
     let line = line.replace("not predictable", "refused");
     let is_number = |word: &str| {
-        let bare = word
-            .trim_start_matches('<')
-            .trim_end_matches([',', ':', '!', '/']);
+        let bare = word.trim_start_matches('<').trim_end_matches([',', ':', '!', '/']);
         bare.parse::<f64>().is_ok() || word == "-" || VERDICTS.contains(&word)
     };
     let is_mark = |word: &str| word.chars().all(|c| "*<█│".contains(c));

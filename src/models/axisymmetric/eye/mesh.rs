@@ -28,17 +28,9 @@ impl Layers {
     /// Thinner at the shell, whose waves are shorter than the cells of a coarse mesh are wide: a
     /// thick cell is more mass than moves with it, and the wave that meets itself at the back comes
     /// late and too high.
-    pub const THIN: Self = Self {
-        core: 0.6,
-        within: 0.65,
-        beyond: 0.3,
-    };
+    pub const THIN: Self = Self { core: 0.6, within: 0.65, beyond: 0.3 };
     /// All alike, which takes twice as fine a mesh for the same pressures.
-    pub const EVEN: Self = Self {
-        core: 0.55,
-        within: 0.0,
-        beyond: 0.0,
-    };
+    pub const EVEN: Self = Self { core: 0.55, within: 0.0, beyond: 0.0 };
 }
 
 /// Layers of cells between core and shell, and between shell and wall, per half side of the core.
@@ -110,17 +102,11 @@ impl Rays {
                 (*place, choice) = (choice % rays.len(), choice / rays.len());
             }
             let inner = chosen.iter().map(|&i| rays[i]).zip(marks.iter().copied());
-            let knots: Vec<_> = std::iter::once((0.0, 0.0))
-                .chain(inner)
-                .chain([(PI, PI)])
-                .collect();
+            let knots: Vec<_> =
+                std::iter::once((0.0, 0.0)).chain(inner).chain([(PI, PI)]).collect();
             let worst = knots.windows(2).fold(0.0, |worst: f64, k| {
                 let (from, to) = (k[1].0 - k[0].0, k[1].1 - k[0].1);
-                worst.max(if from > 0.0 {
-                    libm::log(to / from).abs()
-                } else {
-                    f64::INFINITY
-                })
+                worst.max(if from > 0.0 { libm::log(to / from).abs() } else { f64::INFINITY })
             });
             if worst < best.0 {
                 best = (worst, knots);
@@ -134,11 +120,7 @@ impl Rays {
         let i = above.unwrap_or(self.knots.len() - 1).max(1);
         let ((x0, y0), (x1, y1)) = (self.knots[i - 1], self.knots[i]);
         // On a knot there is no rounding.
-        if angle == x1 {
-            y1
-        } else {
-            y0 + (angle - x0) * ((y1 - y0) / (x1 - x0))
-        }
+        if angle == x1 { y1 } else { y0 + (angle - x0) * ((y1 - y0) / (x1 - x0)) }
     }
 }
 
@@ -175,15 +157,10 @@ pub(crate) fn build(
     for v in 0..=m {
         for u in -m..=m {
             let q = u.abs().max(v) as f64;
-            let t = if q > 0.0 {
-                rays.bring(angle(u, v))
-            } else {
-                0.0
-            };
+            let t = if q > 0.0 { rays.bring(angle(u, v)) } else { 0.0 };
             let scale = spacing.core * radius * q / m as f64;
             let over = if q > 0.0 { SQUARE / q } else { 0.0 };
-            mesh.x
-                .push(scale * (over * u as f64 + CIRCLE * libm::cos(t)));
+            mesh.x.push(scale * (over * u as f64 + CIRCLE * libm::cos(t)));
             mesh.r.push(if v == 0 {
                 0.0
             } else {
@@ -192,18 +169,13 @@ pub(crate) fn build(
         }
     }
     let columns = 2 * half + 1;
-    mesh.blocks.push(Block {
-        columns,
-        nodes: (0..mesh.x.len()).collect(),
-    });
+    mesh.blocks.push(Block { columns, nodes: (0..mesh.x.len()).collect() });
 
     let place = |u: i64, v: i64| v as usize * columns + (u + m) as usize;
     let rays: Vec<f64> = plain.iter().map(|&t| rays.bring(t)).collect();
     let border: Vec<usize> = border.iter().map(|&(u, v)| place(u, v)).collect();
-    let on_shell: Vec<(f64, f64)> = rays
-        .iter()
-        .map(|t| (radius * libm::cos(*t), radius * libm::sin(*t)))
-        .collect();
+    let on_shell: Vec<(f64, f64)> =
+        rays.iter().map(|t| (radius * libm::cos(*t), radius * libm::sin(*t))).collect();
     let layers = (GLOBE_LAYERS * half as f64).round() as usize;
     mesh.shell = mesh.layers(border, &on_shell, (layers, spacing.within));
 
@@ -213,12 +185,7 @@ pub(crate) fn build(
         if let Some(first) = first {
             let on_wall: Vec<(f64, f64)> = rays[first..]
                 .iter()
-                .map(|&t| {
-                    (
-                        wall.distance(t) * libm::cos(t),
-                        wall.distance(t) * libm::sin(t),
-                    )
-                })
+                .map(|&t| (wall.distance(t) * libm::cos(t), wall.distance(t) * libm::sin(t)))
                 .collect();
             let layers = (AROUND_LAYERS * half as f64).round() as usize;
             let shell = mesh.shell[first..].to_vec();
@@ -249,11 +216,7 @@ impl Mesh {
                 let on_axis = r == 0.0;
                 nodes.push(self.x.len());
                 self.x.push(x + share * (outer[i].0 - x));
-                self.r.push(if on_axis {
-                    0.0
-                } else {
-                    r + share * (outer[i].1 - r)
-                });
+                self.r.push(if on_axis { 0.0 } else { r + share * (outer[i].1 - r) });
             }
         }
         let last = nodes[layers * columns..].to_vec();

@@ -104,18 +104,12 @@ fn frustum(a: (f64, f64), b: (f64, f64)) -> f64 {
 /// Volume of the ring whose section is a polygon with corners anticlockwise.
 pub fn volume(corners: &[(f64, f64)]) -> f64 {
     let next = corners.iter().cycle().skip(1);
-    -corners
-        .iter()
-        .zip(next)
-        .map(|(&a, &b)| frustum(a, b))
-        .sum::<f64>()
+    -corners.iter().zip(next).map(|(&a, &b)| frustum(a, b)).sum::<f64>()
 }
 
 fn middle(points: &[(f64, f64)]) -> (f64, f64) {
     let n = points.len() as f64;
-    let sum = points
-        .iter()
-        .fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
+    let sum = points.iter().fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
     (sum.0 / n, sum.1 / n)
 }
 
@@ -142,11 +136,7 @@ fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
         (AZIMUTHS, along, libm::sin(front) * libm::sin(axis))
     };
     AROUND[..azimuths].iter().map(move |cosine| {
-        if axis == 0.0 {
-            front
-        } else {
-            libm::acos((along + across * cosine).clamp(-1.0, 1.0))
-        }
+        if axis == 0.0 { front } else { libm::acos((along + across * cosine).clamp(-1.0, 1.0)) }
     })
 }
 
@@ -173,10 +163,8 @@ impl Parameters {
         let (along, across) = self.lens.half_axes;
         // A cell all of which is farther away has none, whichever way the eye is turned.
         let farthest = self.lens.centre.abs() + along.max(across);
-        let nearest = corners
-            .map(|(x, r)| libm::hypot(x, r))
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
+        let nearest =
+            corners.map(|(x, r)| libm::hypot(x, r)).into_iter().fold(f64::INFINITY, f64::min);
         let size = libm::hypot(corners[2].0 - corners[0].0, corners[2].1 - corners[0].1);
         if nearest > farthest + size {
             return 0.0;
@@ -206,10 +194,7 @@ impl AxisymmetricEye {
     /// core than level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in
     /// pressure and stress.
     pub fn new(parameters: &Parameters, level: u32) -> Self {
-        Self {
-            level,
-            ..Self::with_core(parameters, 2 * level as usize + 4, Layers::THIN)
-        }
+        Self { level, ..Self::with_core(parameters, 2 * level as usize + 4, Layers::THIN) }
     }
 
     /// Builds the eye with `half` cells in half a side of its core.
@@ -276,12 +261,8 @@ impl AxisymmetricEye {
             let centre = middle(&points);
             for i in 0..4 {
                 let (before, after) = (points[(i + 3) % 4], points[(i + 1) % 4]);
-                let quarter = [
-                    points[i],
-                    middle(&[points[i], after]),
-                    centre,
-                    middle(&[points[i], before]),
-                ];
+                let quarter =
+                    [points[i], middle(&[points[i], after]), centre, middle(&[points[i], before])];
                 self.mass[cell.corners[i]] += cell.material.density * volume(&quarter);
             }
         }
@@ -346,11 +327,7 @@ mod tests {
     use super::*;
 
     fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> AxisymmetricEye {
-        let parameters = Parameters {
-            axis_angle,
-            surround,
-            ..Parameters::default()
-        };
+        let parameters = Parameters { axis_angle, surround, ..Parameters::default() };
         AxisymmetricEye::new(&parameters, level)
     }
 
@@ -367,8 +344,7 @@ mod tests {
     /// What its cells have of something, by their volume.
     fn over_cells(eye: &AxisymmetricEye, of: impl Fn(&Cell) -> f64) -> f64 {
         let each = eye.cells.iter();
-        each.map(|cell| of(cell) * volume(&cell.corners.map(|node| eye.at(node))))
-            .sum()
+        each.map(|cell| of(cell) * volume(&cell.corners.map(|node| eye.at(node)))).sum()
     }
 
     #[test]
@@ -443,10 +419,7 @@ mod tests {
     fn a_turned_eye_has_the_same_shell_on_the_whole_and_none_of_its_cornea_at_the_back() {
         let straight = eye(5, None, 0.0);
         let turned = eye(5, None, 0.7);
-        for of in [
-            |s: &ShellSegment| s.thickness,
-            |s: &ShellSegment| s.thickness * s.modulus,
-        ] {
+        for of in [|s: &ShellSegment| s.thickness, |s: &ShellSegment| s.thickness * s.modulus] {
             let ratio = over_shell(&turned, of) / over_shell(&straight, of);
             assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
         }

@@ -22,35 +22,16 @@ impl Material {
     /// The gel inside the globe. G 10 Pa and 0.1 Pa s are in the range of rheometry of the vitreous
     /// (Nickerson et al. 2008). Its bulk modulus is that of water over 22, which costs a fifth of
     /// the time steps; from 30 `MPa` to 2.2 `GPa` deformed shapes change by 6 %.
-    pub const VITREOUS: Self = Self {
-        density: 1000.0,
-        bulk: 100e6,
-        shear: 10.0,
-        viscosity: 0.1,
-    };
+    pub const VITREOUS: Self = Self { density: 1000.0, bulk: 100e6, shear: 10.0, viscosity: 0.1 };
     /// Lens: 10 kPa shear modulus (in the range of Fisher 1971 and of bubble tests of old lenses,
     /// Hollman et al. 2007).
-    pub const LENS: Self = Self {
-        density: 1050.0,
-        bulk: 100e6,
-        shear: 1e4,
-        viscosity: 1.0,
-    };
+    pub const LENS: Self = Self { density: 1050.0, bulk: 100e6, shear: 1e4, viscosity: 1.0 };
     /// Orbital fat: Young's modulus 47 kPa (Power et al. 2002) as a shear modulus of a third of it,
     /// and a bulk modulus of 50 G, a Poisson ratio of 0.49.
-    pub const ORBITAL_FAT: Self = Self {
-        density: 970.0,
-        bulk: 0.78e6,
-        shear: 1.57e4,
-        viscosity: 1.0,
-    };
+    pub const ORBITAL_FAT: Self =
+        Self { density: 970.0, bulk: 0.78e6, shear: 1.57e4, viscosity: 1.0 };
     /// 10 % gelatin, in which enucleated eyes are held (Delori et al. 1969; Kennedy et al. 2007).
-    pub const GELATIN: Self = Self {
-        density: 1030.0,
-        bulk: 100e6,
-        shear: 3e4,
-        viscosity: 1.0,
-    };
+    pub const GELATIN: Self = Self { density: 1030.0, bulk: 100e6, shear: 3e4, viscosity: 1.0 };
 
     /// `share` of this and the rest of `other`.
     #[must_use]
@@ -94,12 +75,7 @@ impl Wall {
     pub fn distance(&self, angle: f64) -> f64 {
         match *self {
             Self::Sphere(radius) => radius,
-            Self::Cone {
-                radius,
-                slope,
-                behind,
-                farthest,
-            } => {
+            Self::Cone { radius, slope, behind, farthest } => {
                 let across = libm::sin(angle) + slope * libm::cos(angle);
                 if across <= 0.0 {
                     farthest
@@ -129,12 +105,7 @@ impl Surround {
     /// mean of a cone about 40 mm deep.
     pub fn orbit() -> Self {
         Self {
-            wall: Wall::Cone {
-                radius: 19e-3,
-                slope: 0.39,
-                behind: 4e-3,
-                farthest: 30e-3,
-            },
+            wall: Wall::Cone { radius: 19e-3, slope: 0.39, behind: 4e-3, farthest: 30e-3 },
             opening: 72.0 * DEGREE,
             material: Material::ORBITAL_FAT,
             subzonal: SUBZONAL_PA.min(0.5 * Material::ORBITAL_FAT.bulk),

@@ -100,10 +100,7 @@ fn squared((x, r): Point) -> f64 {
 
 /// The diagonals from the first corner to the third and from the second to the fourth.
 fn diagonals(p: [Point; 4]) -> (Point, Point) {
-    (
-        (p[2].0 - p[0].0, p[2].1 - p[0].1),
-        (p[3].0 - p[1].0, p[3].1 - p[1].1),
-    )
+    ((p[2].0 - p[0].0, p[2].1 - p[0].1), (p[3].0 - p[1].0, p[3].1 - p[1].1))
 }
 
 /// Volume of a ring whose section has corners anticlockwise, and its gradient.
@@ -148,11 +145,7 @@ pub(crate) fn least_triangle(
 }
 
 fn rate<const N: usize>(gradient: &[Point; N], v: &[Point; N]) -> f64 {
-    gradient
-        .iter()
-        .zip(v)
-        .map(|(g, v)| g.0 * v.0 + g.1 * v.1)
-        .sum()
+    gradient.iter().zip(v).map(|(g, v)| g.0 * v.0 + g.1 * v.1).sum()
 }
 
 /// The corner i and its neighbours, in order.
@@ -167,19 +160,13 @@ fn subzonal(j: f64) -> (f64, f64) {
     let pressure = (at.powi(-3) - 1.0) / 3.0;
     let slope = at.powi(-4);
     let energy = (0.5 * at.powi(-2) + at - 1.5) / 3.0;
-    (
-        pressure + slope * below,
-        energy + below * (pressure + 0.5 * slope * below),
-    )
+    (pressure + slope * below, energy + below * (pressure + 0.5 * slope * below))
 }
 
 impl Rest {
     pub fn new(eye: &AxisymmetricEye, cell: &Cell) -> Self {
         let p = cell.corners.map(|node| eye.at(node));
-        let (a, b) = (
-            (p[2].0 - p[0].0, p[2].1 - p[0].1),
-            (p[3].0 - p[1].0, p[3].1 - p[1].1),
-        );
+        let (a, b) = ((p[2].0 - p[0].0, p[2].1 - p[0].1), (p[3].0 - p[1].0, p[3].1 - p[1].1));
         let det = a.0 * b.1 - b.0 * a.1;
         Self {
             volume: volume(p).0,
@@ -228,9 +215,7 @@ impl Rest {
             response.least_triangle = response.least_triangle.min(jt);
             let vt = vt.max(SQUEEZED * at_rest);
             let own_rate = rate(&slope, &corners.map(|k| v[k])) / vt;
-            response.limit = response
-                .limit
-                .min(LOSS_IN_STEP / (-own_rate).max(f64::MIN_POSITIVE));
+            response.limit = response.limit.min(LOSS_IN_STEP / (-own_rate).max(f64::MIN_POSITIVE));
             let shape_rate = own_rate - expansion;
             let (over, stored) = subzonal(jt);
             let viscous = 0.5 * eta * shape_rate;
@@ -277,13 +262,7 @@ impl Rest {
     fn shear(&self, section: &Section, v: [Point; 4], now: f64, response: &mut Response) {
         let Section { a, b, det, .. } = *section;
         let (strain, isochoric) = self.strain(section);
-        let Strain {
-            xx,
-            xr,
-            rr,
-            hh,
-            third,
-        } = strain;
+        let Strain { xx, xr, rr, hh, third } = strain;
         let g = self.shear * isochoric * self.volume;
         response.energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
 
@@ -302,14 +281,8 @@ impl Rest {
         let s_hh = g * (hh - third) + n * (l_hh - mean);
         let squares = (l_xx - mean).powi(2) + (l_rr - mean).powi(2) + (l_hh - mean).powi(2);
         response.loss += n * (squares + 2.0 * shearing * shearing);
-        let on_a = (
-            (s_xx * b.1 - s_xr * b.0) / det,
-            (s_xr * b.1 - s_rr * b.0) / det,
-        );
-        let on_b = (
-            (s_xr * a.0 - s_xx * a.1) / det,
-            (s_rr * a.0 - s_xr * a.1) / det,
-        );
+        let on_a = ((s_xx * b.1 - s_xr * b.0) / det, (s_xr * b.1 - s_rr * b.0) / det);
+        let on_b = ((s_xr * a.0 - s_xx * a.1) / det, (s_rr * a.0 - s_xr * a.1) / det);
         let out = 0.25 * s_hh / section.radius;
         let corners = [(-on_a.0, -on_a.1), (-on_b.0, -on_b.1), on_a, on_b];
         for (force, corner) in response.force.iter_mut().zip(corners) {
@@ -329,18 +302,9 @@ impl Rest {
             a.1 * d[1] + b.1 * d[3],
         ];
         let hoop = section.radius / self.radius;
-        let (xx, rr, hh) = (
-            f[0] * f[0] + f[1] * f[1],
-            f[2] * f[2] + f[3] * f[3],
-            hoop * hoop,
-        );
-        let strain = Strain {
-            xx,
-            xr: f[0] * f[2] + f[1] * f[3],
-            rr,
-            hh,
-            third: (xx + rr + hh) / 3.0,
-        };
+        let (xx, rr, hh) = (f[0] * f[0] + f[1] * f[1], f[2] * f[2] + f[3] * f[3], hoop * hoop);
+        let strain =
+            Strain { xx, xr: f[0] * f[2] + f[1] * f[3], rr, hh, third: (xx + rr + hh) / 3.0 };
         let change = det / (2.0 * self.area) * hoop;
         let root = libm::cbrt(change);
         (strain, 1.0 / (root * root))
@@ -359,11 +323,8 @@ impl Rest {
             + 2.0 * kinematic / length
             + QUADRATIC * length * expansion.abs();
         let waves = length / ((stiffness / self.density + s * s).sqrt() + s);
-        let diffusion = if kinematic > 0.0 {
-            length * length / (4.0 * kinematic)
-        } else {
-            f64::INFINITY
-        };
+        let diffusion =
+            if kinematic > 0.0 { length * length / (4.0 * kinematic) } else { f64::INFINITY };
         waves.min(diffusion)
     }
 }

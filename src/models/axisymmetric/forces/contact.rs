@@ -4,9 +4,8 @@
 //! pushed out along its normal by the foundation's traction, so force and energy are exact to each
 //! other. What is larger than the opening of the orbit meets the bone around it ([`Face`]).
 
-use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{MovingObject, Object};
+use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::face::Face};
 use std::f64::consts::PI;
 
 /// Points in a segment.

@@ -75,9 +75,7 @@ impl Face {
 
     /// Whether an object that arrives with its centre or face at `centre` overlaps it.
     pub fn overlaps(&self, object: &Object, centre: f64) -> bool {
-        self.rings
-            .iter()
-            .any(|&(r, _)| self.gap(object, [centre; 2], r).0 > 0.0)
+        self.rings.iter().any(|&(r, _)| self.gap(object, [centre; 2], r).0 > 0.0)
     }
 
     /// Depth of a ring below the surface of an object, and how it grows as the surface's and the
@@ -92,28 +90,17 @@ impl Face {
         let wide = radius + WIDENING * squeeze;
         let stretch = radius / wide;
         let (gap, nx, nr) = object.gap(self.x - centres[0], r * stretch);
-        let widening = if squeeze > 0.0 {
-            nr * r * stretch / wide * WIDENING
-        } else {
-            0.0
-        };
+        let widening = if squeeze > 0.0 { nr * r * stretch / wide * WIDENING } else { 0.0 };
         (gap, [nx - widening, widening])
     }
 
     /// Pushes the object back, and adds what its surface loses to the projectile's.
     pub fn push(&self, object: &Object, projectile: &mut MovingObject) -> Push {
-        let mut push = Push {
-            force: 0.0,
-            energy: 0.0,
-            limit: f64::INFINITY,
-        };
+        let mut push = Push { force: 0.0, energy: 0.0, limit: f64::INFINITY };
         let surface = match (object.spring, object.surface.cap) {
             (None, _) => object.surface,
             (Some(_), None) => ObjectSurface::foundation(BONE, object.outline.radius()).losing(0.0),
-            (Some(_), Some(_)) => ObjectSurface {
-                cap: None,
-                ..object.surface
-            },
+            (Some(_), Some(_)) => ObjectSurface { cap: None, ..object.surface },
         };
         let (mut slope, mut damping) = (0.0, 0.0);
         for &(r, area) in &self.rings {

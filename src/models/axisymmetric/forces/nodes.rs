@@ -33,22 +33,8 @@ fn around<S: Simd>(simd: S, of: [&[f64]; 4], at: usize, columns: usize) -> V<S> 
 #[inline(always)]
 pub(crate) fn advance<S: Simd>(simd: S, state: &mut NodeState, kick: f64, drift: f64) {
     let by = (kick, drift);
-    move_along(
-        simd,
-        &mut state.x,
-        &mut state.vx,
-        &state.fx,
-        &state.free_x,
-        by,
-    );
-    move_along(
-        simd,
-        &mut state.r,
-        &mut state.vr,
-        &state.fr,
-        &state.free_r,
-        by,
-    );
+    move_along(simd, &mut state.x, &mut state.vx, &state.fx, &state.free_x, by);
+    move_along(simd, &mut state.r, &mut state.vr, &state.fr, &state.free_r, by);
 }
 
 #[inline(always)]

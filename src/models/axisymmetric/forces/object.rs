@@ -121,12 +121,7 @@ pub(crate) struct PressedSurface {
 
 impl ObjectSurface {
     /// A surface that hardly gives way.
-    pub const RIGID: Self = Self {
-        stiffness: HARD,
-        depth: None,
-        cap: None,
-        restitution: 1.0,
-    };
+    pub const RIGID: Self = Self { stiffness: HARD, depth: None, cap: None, restitution: 1.0 };
 
     /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E,
     /// and a depth of 0.7 R.
@@ -163,10 +158,7 @@ impl ObjectSurface {
     /// This surface, giving back the square of `restitution` of its energy.
     #[must_use]
     pub fn losing(self, restitution: f64) -> Self {
-        Self {
-            restitution,
-            ..self
-        }
+        Self { restitution, ..self }
     }
 
     /// How much of the traction is left at a speed of closing, and how fast that changes with it,
@@ -213,11 +205,7 @@ impl ObjectSurface {
         let k = self.stiffness;
         let Some(cap) = self.cap else {
             let Some(depth) = self.depth else {
-                return PressedSurface {
-                    energy: 0.5 * k * gap * gap,
-                    traction: k * gap,
-                    slope: k,
-                };
+                return PressedSurface { energy: 0.5 * k * gap * gap, traction: k * gap, slope: k };
             };
             let left = 1.0 - gap / depth;
             return PressedSurface {
@@ -302,11 +290,7 @@ impl Object {
                     return (-radius, 1.0, 0.0);
                 }
                 let slope = r / behind;
-                (
-                    2.0 * radius - behind - r * slope,
-                    1.0 - slope * slope,
-                    2.0 * slope,
-                )
+                (2.0 * radius - behind - r * slope, 1.0 - slope * slope, 2.0 * slope)
             }
             ObjectOutline::Sphere(radius) => {
                 let distance = (x * x + r * r).sqrt();
@@ -354,11 +338,7 @@ impl MovingObject {
             let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
             (law, spring.restitution * spring.restitution)
         });
-        let surface = if spring.is_some() {
-            SURFACE_SHARE * object.mass
-        } else {
-            object.mass
-        };
+        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
         Self {
             x: [front - object.reach(); 2],
             v: [object.speed; 2],
@@ -404,8 +384,7 @@ impl MovingObject {
 
     /// Energy of the spring, J.
     pub fn stored(&self) -> f64 {
-        self.spring
-            .map_or(0.0, |(law, _)| law.at(self.x[1] - self.x[0]).energy)
+        self.spring.map_or(0.0, |(law, _)| law.at(self.x[1] - self.x[0]).energy)
     }
 
     /// Kinetic energy of the velocities, J; with `kick` s of the forces the one at full steps.
@@ -422,8 +401,7 @@ impl MovingObject {
     /// How far in front of where it is its surface may yet swing, m.
     pub fn swing(&self) -> f64 {
         let apart = self.v[1] - self.v[0];
-        self.spring
-            .map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
     }
 
     pub fn momentum(&self) -> f64 {

@@ -41,11 +41,7 @@ pub struct Squeezed {
 impl ObjectSpring {
     /// A spring of `stiffness` N/m in an object of `diameter` m.
     pub fn new(stiffness: f64, diameter: f64) -> Self {
-        Self {
-            stiffness,
-            linear: LINEAR * diameter,
-            room: (1.0 - LEAST - LINEAR) * diameter,
-        }
+        Self { stiffness, linear: LINEAR * diameter, room: (1.0 - LEAST - LINEAR) * diameter }
     }
 
     /// How far in front of where it is its surface may yet swing, in m: both ends, of `mass` kg,
@@ -70,11 +66,7 @@ impl ObjectSpring {
         }
         let left = 1.0 - beyond / self.room;
         if left <= 0.0 {
-            return Squeezed {
-                energy: f64::INFINITY,
-                force: f64::INFINITY,
-                slope: f64::INFINITY,
-            };
+            return Squeezed { energy: f64::INFINITY, force: f64::INFINITY, slope: f64::INFINITY };
         }
         // The integral of u / (1 - u/W)^2 is W^2 (r / (1 - r) + ln(1 - r)) with r = u/W.
         let barrier = self.room * self.room * ((1.0 - left) / left + libm::log(left));
@@ -90,11 +82,7 @@ impl ObjectSpring {
 mod tests {
     use super::*;
 
-    const SPRING: ObjectSpring = ObjectSpring {
-        stiffness: 2e4,
-        linear: 0.02,
-        room: 0.016,
-    };
+    const SPRING: ObjectSpring = ObjectSpring { stiffness: 2e4, linear: 0.02, room: 0.016 };
 
     #[test]
     fn the_force_is_the_slope_of_the_energy_and_its_slope_the_slope_of_the_force() {

@@ -2,9 +2,8 @@
 //! and the baseline of the benchmarks.
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
-use crate::models::axisymmetric::forces::cell::Rest;
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
-use crate::models::axisymmetric::recording::sensor;
+use crate::models::axisymmetric::{forces::cell::Rest, recording::sensor};
 
 /// Cells with lists of corners.
 #[derive(Debug, Clone)]
@@ -18,11 +17,8 @@ pub(crate) struct PlainCells {
 
 impl PlainCells {
     pub fn new(eye: &AxisymmetricEye) -> Self {
-        let cells: Vec<_> = eye
-            .cells
-            .iter()
-            .map(|cell| (Rest::new(eye, cell), cell.corners))
-            .collect();
+        let cells: Vec<_> =
+            eye.cells.iter().map(|cell| (Rest::new(eye, cell), cell.corners)).collect();
         Self {
             weights: sensor::weights(eye),
             pressures: vec![0.0; cells.len()],
@@ -44,11 +40,7 @@ impl Cells for PlainCells {
     fn rest(&self) -> NodeState {
         let mesh = &self.eye.mesh;
         let free = |i: usize| {
-            if self.eye.fixed[i] {
-                0.0
-            } else {
-                1.0 / self.eye.mass[i]
-            }
+            if self.eye.fixed[i] { 0.0 } else { 1.0 / self.eye.mass[i] }
         };
         let n = mesh.x.len();
         NodeState {
@@ -59,9 +51,7 @@ impl Cells for PlainCells {
             fx: vec![0.0; n],
             fr: vec![0.0; n],
             free_x: (0..n).map(free).collect(),
-            free_r: (0..n)
-                .map(|i| if mesh.r[i] == 0.0 { 0.0 } else { free(i) })
-                .collect(),
+            free_r: (0..n).map(|i| if mesh.r[i] == 0.0 { 0.0 } else { free(i) }).collect(),
             shell: mesh.shell[0]..mesh.shell[0] + mesh.shell.len(),
         }
     }

@@ -64,11 +64,7 @@ impl<S: Simd> Edge<S> {
     #[inline(always)]
     fn new(a: At<S>, b: At<S>) -> Self {
         let sum = a.1 + b.1;
-        Self {
-            along: b.0 - a.0,
-            square: sum * sum - a.1 * b.1,
-            slopes: (sum + a.1, sum + b.1),
-        }
+        Self { along: b.0 - a.0, square: sum * sum - a.1 * b.1, slopes: (sum + a.1, sum + b.1) }
     }
 
     #[inline(always)]
@@ -129,16 +125,8 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeStat
             let constants = &rows.groups[run.cells / LANES + group];
             for lane in (0..LANES).step_by(V::<S>::LEN) {
                 let at = group * LANES + lane;
-                let on = cells(
-                    simd,
-                    constants,
-                    lane,
-                    state,
-                    run,
-                    at,
-                    &mut rows.pressures,
-                    &mut totals,
-                );
+                let on =
+                    cells(simd, constants, lane, state, run, at, &mut rows.pressures, &mut totals);
                 for (corner, force) in rows.corners.iter_mut().zip(on) {
                     store::<S>(&mut corner.0, run.corners + at, force.0);
                     store::<S>(&mut corner.1, run.corners + at, force.1);
@@ -191,12 +179,8 @@ fn cells<S: Simd>(
     let (rate02, rate13) = (cross[0].rate(v[0], v[2]), cross[1].rate(v[1], v[3]));
 
     // Corner i with its two neighbours.
-    let triangle = [
-        -(w[3] + w[0] + w13),
-        w02 - (w[0] + w[1]),
-        w13 - (w[1] + w[2]),
-        -(w[2] + w[3] + w02),
-    ];
+    let triangle =
+        [-(w[3] + w[0] + w13), w02 - (w[0] + w[1]), w13 - (w[1] + w[2]), -(w[2] + w[3] + w02)];
     let triangle_rate = [
         -(rate[3] + rate[0] + rate13),
         rate02 - (rate[0] + rate[1]),
@@ -227,12 +211,8 @@ fn cells<S: Simd>(
     let (of_left, of_right) = (inverse * right, inverse * left);
     let (of_01, of_23) = (of_left * t23, of_left * t01);
     let (of_vd, of_lr) = (of_right * lr, of_right * vd);
-    let inverse_squeezed = [
-        of_01 * squeezed[1],
-        of_01 * squeezed[0],
-        of_23 * squeezed[3],
-        of_23 * squeezed[2],
-    ];
+    let inverse_squeezed =
+        [of_01 * squeezed[1], of_01 * squeezed[0], of_23 * squeezed[3], of_23 * squeezed[2]];
     let (inverse_now, inverse_det) = (of_vd * det, of_vd * now);
     let (inverse_longest, inverse_radius) = (of_lr * radius, of_lr * longest);
 
@@ -292,10 +272,7 @@ fn cells<S: Simd>(
         edges[i].push(by, &mut start, &mut end);
         (on[i], on[k]) = (start, end);
     }
-    for (i, by) in [unit * (own[3] - own[1]), unit * (own[0] - own[2])]
-        .into_iter()
-        .enumerate()
-    {
+    for (i, by) in [unit * (own[3] - own[1]), unit * (own[0] - own[2])].into_iter().enumerate() {
         let (mut start, mut end) = (on[i], on[i + 2]);
         cross[i].push(by, &mut start, &mut end);
         (on[i], on[i + 2]) = (start, end);
@@ -334,14 +311,8 @@ fn cells<S: Simd>(
     let s_hh = g * (hh - third) + n * d_hh;
     let squares = d_xx * d_xx + d_rr * d_rr + d_hh * d_hh + number!(2.0) * shearing * shearing;
     let loss = loss * number!(FRAC_PI_3) + n * squares;
-    let on_a = (
-        (s_xx * b.1 - s_xr * b.0) * inverse_det,
-        (s_xr * b.1 - s_rr * b.0) * inverse_det,
-    );
-    let on_b = (
-        (s_xr * a.0 - s_xx * a.1) * inverse_det,
-        (s_rr * a.0 - s_xr * a.1) * inverse_det,
-    );
+    let on_a = ((s_xx * b.1 - s_xr * b.0) * inverse_det, (s_xr * b.1 - s_rr * b.0) * inverse_det);
+    let on_b = ((s_xr * a.0 - s_xx * a.1) * inverse_det, (s_rr * a.0 - s_xr * a.1) * inverse_det);
     let out = number!(0.25) * s_hh * inverse_radius;
 
     add(simd, &mut totals.loss, lane, loss);

@@ -10,11 +10,8 @@
 //! places move alike.
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
-use crate::models::axisymmetric::forces::cell;
-use crate::models::axisymmetric::forces::cell::Rest;
-use crate::models::axisymmetric::forces::nodes;
-use crate::models::axisymmetric::forces::quads;
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
+use crate::models::axisymmetric::forces::{cell, cell::Rest, nodes, quads};
 use crate::models::axisymmetric::recording::sensor;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
@@ -254,10 +251,7 @@ fn absent(mut c: Constants) -> Constants {
 fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> NodeState {
     let mesh = &eye.mesh;
     let read = |of: &dyn Fn(usize) -> f64, none: f64| {
-        owners
-            .iter()
-            .map(|o| o.map_or(none, of))
-            .collect::<Vec<f64>>()
+        owners.iter().map(|o| o.map_or(none, of)).collect::<Vec<f64>>()
     };
     let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
     let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
@@ -305,9 +299,6 @@ impl Cells for CellRows {
     }
 
     fn pressures(&self) -> Vec<f64> {
-        self.cells
-            .iter()
-            .map(|&place| self.pressures[place])
-            .collect()
+        self.cells.iter().map(|&place| self.pressures[place]).collect()
     }
 }

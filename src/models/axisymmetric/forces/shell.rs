@@ -66,10 +66,8 @@ impl Shell {
         let p = &eye.parameters.shell;
         let plane = 1.0 - p.poisson * p.poisson;
         let at: Vec<(f64, f64)> = eye.mesh.shell.iter().map(|&n| eye.at(n)).collect();
-        let side: Vec<(f64, f64)> = at
-            .windows(2)
-            .map(|e| (e[1].0 - e[0].0, e[1].1 - e[0].1))
-            .collect();
+        let side: Vec<(f64, f64)> =
+            at.windows(2).map(|e| (e[1].0 - e[0].0, e[1].1 - e[0].1)).collect();
         let mut limit = f64::INFINITY;
         let mut pieces = Vec::new();
         for (i, segment) in eye.segments.iter().enumerate() {

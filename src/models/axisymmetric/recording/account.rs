@@ -249,11 +249,7 @@ impl Account {
     pub fn finish(&mut self, rebound: Option<f64>) {
         let e = &mut self.extremes;
         e.rebound = rebound;
-        e.energy_residual = if self.came > 0.0 {
-            self.missing / self.came
-        } else {
-            0.0
-        };
+        e.energy_residual = if self.came > 0.0 { self.missing / self.came } else { 0.0 };
         e.fold = self.fold.fold();
         e.touching = self.energy.contact > 0.0;
         if e.missed() {

@@ -1,14 +1,14 @@
 //! What is read off the moving eye at each step, and the eye at the instants that frames are due.
 
-use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::forces::cell;
-use crate::models::axisymmetric::forces::object::MovingObject;
 use crate::models::axisymmetric::forces::state::NodeState;
 use crate::models::axisymmetric::recording::account::{
     Account, Flight, NODE_MASS, Recorded, Shape,
 };
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::axisymmetric::time::run::{Instant, Motion};
+use crate::models::axisymmetric::{
+    eye::AxisymmetricEye, forces::cell, forces::object::MovingObject,
+};
 use crate::run::kept::Frame;
 use nalgebra::Point2;
 
@@ -24,12 +24,7 @@ impl Recorded for Motion<'_> {
         let e = &mut self.account.extremes;
         self.tissues.read(&self.state, share, time, e);
         let mut stress = 0.0_f64;
-        for (i, (passed, now)) in self
-            .tension_passed
-            .iter_mut()
-            .zip(&self.tension)
-            .enumerate()
-        {
+        for (i, (passed, now)) in self.tension_passed.iter_mut().zip(&self.tension).enumerate() {
             for (passed, now) in passed.iter_mut().zip(now) {
                 stress = stress.max(passed.pass(*now, share));
             }
@@ -48,21 +43,14 @@ impl Recorded for Motion<'_> {
         self.account.stress = stress;
         let way = self.way();
         let growth = now.shell.length / self.shell.rest_length - 1.0;
-        self.shape = shape(
-            self.eye,
-            &self.state,
-            (&self.lens, self.lens_rest),
-            way,
-            growth,
-        );
+        self.shape = shape(self.eye, &self.state, (&self.lens, self.lens_rest), way, growth);
         self.account.read_shape(&self.shape, time);
         if let Some((object, projectile)) = &self.object {
             let energy = projectile.kinetic(0.0) + projectile.stored();
             let between = now.touch.map_or(0.0, |touch| touch.energy);
             let touched = -self.eye.parameters.radius - object.reach();
             let intrusion = projectile.x[0] - touched;
-            self.account
-                .read_object(energy, (between, 0.0), intrusion, time);
+            self.account.read_object(energy, (between, 0.0), intrusion, time);
         }
         if self.load.is_some() {
             let work = self.account.energy.work - self.flown(0.0);
@@ -114,8 +102,7 @@ impl Recorded for Motion<'_> {
             velocity: projectile.velocity(),
         });
         let (forces, tissue) = ((now.force, node_force), self.tissues.now);
-        self.account
-            .trace(time, forces, &self.shape, tissue, flight);
+        self.account.trace(time, forces, &self.shape, tissue, flight);
     }
 
     fn frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
@@ -175,11 +162,7 @@ impl Motion<'_> {
         let force = |(node, v): (usize, (f64, f64))| {
             let earlier = before.get(node).copied().unwrap_or_default();
             let change = libm::hypot(v.0 - earlier.0, v.1 - earlier.1);
-            if eye.fixed[node] {
-                0.0
-            } else {
-                NODE_MASS * change / SMOOTHING_S
-            }
+            if eye.fixed[node] { 0.0 } else { NODE_MASS * change / SMOOTHING_S }
         };
         let velocities = self.velocities().into_iter().enumerate();
         let projectile = self.object.as_ref().map(|(_, projectile)| projectile);

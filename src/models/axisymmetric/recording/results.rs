@@ -71,23 +71,14 @@ pub struct Extremes {
 impl Extremes {
     /// The extremes of an eye that nothing has happened to.
     pub fn at_rest() -> Self {
-        Self {
-            least_volume: 1.0,
-            most_volume: 1.0,
-            least_triangle: 1.0,
-            ..Self::default()
-        }
+        Self { least_volume: 1.0, most_volume: 1.0, least_triangle: 1.0, ..Self::default() }
     }
 
     /// Most energy that the eye was given over the area of the largest contact, J/m2; 0 without
     /// any.
     pub fn energy_over_contact(&self) -> f64 {
         let area = PI * self.contact_radius * self.contact_radius;
-        if area > 0.0 {
-            self.energy_given.value / area
-        } else {
-            0.0
-        }
+        if area > 0.0 { self.energy_given.value / area } else { 0.0 }
     }
 
     /// Whether an object never touched the eye, as one that bone caught.

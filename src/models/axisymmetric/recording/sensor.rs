@@ -45,17 +45,11 @@ pub(crate) fn weights(eye: &AxisymmetricEye) -> Vec<(f64, f64)> {
         .map(|cell| {
             let p = cell.corners.map(|n| eye.at(n));
             let volume = volume(&p);
-            let globe = if cell.region == Tissue::Globe {
-                volume
-            } else {
-                0.0
-            };
+            let globe = if cell.region == Tissue::Globe { volume } else { 0.0 };
             (globe, near(&p) * globe)
         })
         .collect();
-    let total = weights
-        .iter()
-        .fold((0.0, 0.0), |t, w| (t.0 + w.0, t.1 + w.1));
+    let total = weights.iter().fold((0.0, 0.0), |t, w| (t.0 + w.0, t.1 + w.1));
     for w in &mut weights {
         *w = (w.0 / total.0, w.1 / total.1);
     }
@@ -97,13 +91,7 @@ pub(crate) struct RunningMean {
 
 impl RunningMean {
     pub fn over(over: f64) -> Self {
-        Self {
-            now: 0.0,
-            over,
-            integral: 0.0,
-            before: 0.0,
-            past: VecDeque::from([(0.0, 0.0)]),
-        }
+        Self { now: 0.0, over, integral: 0.0, before: 0.0, past: VecDeque::from([(0.0, 0.0)]) }
     }
 
     /// The mean with `value` now, at `time`, `step` s after the one before.
@@ -118,11 +106,8 @@ impl RunningMean {
         let ((t0, first), (t1, second)) = (self.past[0], self.past[1]);
         // Before the first step there was nothing; a later entry may lie at the start to the last
         // bit.
-        let gone = if start <= t0 {
-            first
-        } else {
-            first + (second - first) * (start - t0) / (t1 - t0)
-        };
+        let gone =
+            if start <= t0 { first } else { first + (second - first) * (start - t0) / (t1 - t0) };
         self.now = (self.integral - gone) / self.over;
         self.now
     }
@@ -146,17 +131,9 @@ impl<const D: usize> Velocities<D> {
         let (t0, first) = self.past[0];
         let (t1, second) = self.past[1.min(self.past.len() - 1)];
         // Before the first step all was at rest.
-        let s = if t1 > t0 {
-            ((start - t0) / (t1 - t0)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
+        let s = if t1 > t0 { ((start - t0) / (t1 - t0)).clamp(0.0, 1.0) } else { 0.0 };
         std::array::from_fn(|i| {
-            if start < t0 {
-                now[i]
-            } else {
-                now[i] - (first[i] + (second[i] - first[i]) * s)
-            }
+            if start < t0 { now[i] } else { now[i] - (first[i] + (second[i] - first[i]) * s) }
         })
     }
 }
@@ -183,12 +160,7 @@ pub fn monitored(eye: &AxisymmetricEye) -> [usize; 4] {
 fn places(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
     let on_shell = |angle: f64| on_shell(eye, angle.to_radians(), &place);
     let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
-    [
-        between(eye, (aim, aim), &place),
-        on_shell(5.0),
-        on_shell(175.0),
-        on_shell(95.0),
-    ]
+    [between(eye, (aim, aim), &place), on_shell(5.0), on_shell(175.0), on_shell(95.0)]
 }
 
 /// The shell's nodes on both sides of a front angle (rad) at rest, with linear shares.
@@ -197,38 +169,26 @@ pub(crate) fn on_shell(
     angle: f64,
     place: impl Fn(usize) -> usize,
 ) -> Vec<(usize, f64)> {
-    let fronts: Vec<f64> = eye
-        .mesh
-        .shell
-        .iter()
-        .map(|&n| libm::atan2(eye.at(n).1, -eye.at(n).0))
-        .collect();
+    let fronts: Vec<f64> =
+        eye.mesh.shell.iter().map(|&n| libm::atan2(eye.at(n).1, -eye.at(n).0)).collect();
     let after = fronts.iter().position(|&f| f > angle);
     let i = after.unwrap_or(fronts.len() - 1).max(1);
     let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);
-    vec![
-        (place(eye.mesh.shell[i - 1]), 1.0 - s),
-        (place(eye.mesh.shell[i]), s),
-    ]
+    vec![(place(eye.mesh.shell[i - 1]), 1.0 - s), (place(eye.mesh.shell[i]), s)]
 }
 
 impl Accelerometers {
     /// At rest.
     pub fn new(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> Self {
-        Self {
-            places: places(eye, place),
-            velocities: Velocities::default(),
-        }
+        Self { places: places(eye, place), velocities: Velocities::default() }
     }
 
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
     pub fn read(&mut self, state: &NodeState, time: f64) -> [f64; 4] {
         let now = std::array::from_fn(|i| {
-            let velocity = self.places[i]
-                .iter()
-                .fold((0.0, 0.0), |v, &(place, share)| {
-                    (v.0 + share * state.vx[place], v.1 + share * state.vr[place])
-                });
+            let velocity = self.places[i].iter().fold((0.0, 0.0), |v, &(place, share)| {
+                (v.0 + share * state.vx[place], v.1 + share * state.vr[place])
+            });
             Vector2::new(velocity.0, velocity.1)
         });
         let change = self.velocities.change(now, time);

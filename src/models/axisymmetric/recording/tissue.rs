@@ -12,10 +12,9 @@
 //! Left out: zonules, iris and retina as bodies of their own. Under a blow at an angle these places
 //! are rings about the line of the blow, not the anatomical ones.
 
-use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::forces::state::NodeState;
 use crate::models::axisymmetric::recording::results::Extremes;
 use crate::models::axisymmetric::recording::sensor::{LowPass, between, on_shell};
+use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::state::NodeState};
 use std::f64::consts::PI;
 
 /// Front angles between which the wall's largest stretch is looked for, in degrees.
@@ -83,11 +82,7 @@ impl Tissues {
             let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
             let front = |p: (f64, f64)| libm::atan2(p.1, -p.0);
             let length = distance(a, b);
-            let piece = Piece {
-                first: place(ends[0]),
-                length,
-                weight: length * PI * (a.1 + b.1),
-            };
+            let piece = Piece { first: place(ends[0]), length, weight: length * PI * (a.1 + b.1) };
             ((front(a), front(b)), piece)
         });
         let (mut equator, mut back) = (Vec::new(), Vec::new());
@@ -158,9 +153,8 @@ impl Tissues {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::axisymmetric::eye::parameters::Parameters;
-    use crate::models::axisymmetric::forces::plain::PlainCells;
     use crate::models::axisymmetric::forces::state::Cells;
+    use crate::models::axisymmetric::{eye::parameters::Parameters, forces::plain::PlainCells};
 
     /// What is read where each node has gone from (x, r) to where `moved` says, once a low pass
     /// has nothing left to wait for.
@@ -204,10 +198,7 @@ mod tests {
                 let (sin, cos) = angle.to_radians().sin_cos();
                 let held = distance((-radius * cos, radius * sin), LENS_EQUATOR);
                 // Between two nodes the shell is straight, not round.
-                assert!(
-                    (pull / (0.05 * held) - 1.0).abs() < 0.02,
-                    "{level}: {grown:?}"
-                );
+                assert!((pull / (0.05 * held) - 1.0).abs() < 0.02, "{level}: {grown:?}");
             }
         }
     }

@@ -20,12 +20,7 @@ pub(crate) struct FramesDue<V> {
 
 impl<V> FramesDue<V> {
     pub fn new(spacing: Spacing) -> Self {
-        Self {
-            spacing,
-            taken: 0,
-            marked: 0,
-            before: VecDeque::new(),
-        }
+        Self { spacing, taken: 0, marked: 0, before: VecDeque::new() }
     }
 
     /// The frames that fall into the step of `step` s that ended at `time`, each from the time that
@@ -39,8 +34,7 @@ impl<V> FramesDue<V> {
         let spacing = self.spacing;
         while spacing.due(self.marked) - SMOOTHING_S <= time - 0.5 * step {
             let at_rest = spacing.due(self.marked) < SMOOTHING_S;
-            self.before
-                .push_back(if at_rest { Vec::new() } else { velocities() });
+            self.before.push_back(if at_rest { Vec::new() } else { velocities() });
             self.marked += 1;
         }
         let mut frames = Vec::new();

@@ -7,15 +7,10 @@
 //! A run without a set time ends when what acts is gone and nothing that is read has grown for a
 //! whole swing of the eye; any run ends when the eye is pressed flat.
 
-use crate::models::axisymmetric::readings;
-use crate::models::axisymmetric::recording::account::Recorded;
 use crate::models::axisymmetric::recording::results::Extremes;
-use crate::run::flags::PRESSED_FLAT;
-use crate::run::kept::Frame;
-use crate::run::plan::Plan;
-use crate::run::refusal::Refusal;
-use crate::run::rules::Rules;
+use crate::models::axisymmetric::{readings, recording::account::Recorded};
 use crate::run::watch::Watch;
+use crate::run::{flags::PRESSED_FLAT, kept::Frame, plan::Plan, refusal::Refusal, rules::Rules};
 use crate::scenario::Integrator;
 use fearless_simd::Level;
 use std::ops::ControlFlow;
@@ -179,11 +174,7 @@ pub(crate) trait Marching: Recorded + Sized {
             let bounds = Self::bounds(&now);
             let most = by.share * bounds.all;
             let before = step;
-            step = if steps == 0 {
-                most
-            } else {
-                most.min(GROWTH * before)
-            };
+            step = if steps == 0 { most } else { most.min(GROWTH * before) };
             let forces = self.read(&now, (steps, time), before);
             let settled = looks && {
                 let over = self.over(time);

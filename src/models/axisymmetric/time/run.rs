@@ -9,18 +9,15 @@
 //! along with it, which was found by trial; random objects, their balance of energy and a quarter
 //! of the step watch over it.
 
-use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::eye::parameters::Parameters;
+use crate::models::axisymmetric::eye::{AxisymmetricEye, parameters::Parameters};
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline};
-use crate::models::axisymmetric::forces::plain::PlainCells;
-use crate::models::axisymmetric::forces::rows::CellRows;
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
+use crate::models::axisymmetric::forces::{plain::PlainCells, rows::CellRows};
 use crate::models::axisymmetric::recording::account::{Account, Shape};
-use crate::models::axisymmetric::recording::results::EngineRun;
 use crate::models::axisymmetric::recording::sensor::{Accelerometers, LowPass};
-use crate::models::axisymmetric::recording::tissue::Tissues;
+use crate::models::axisymmetric::recording::{results::EngineRun, tissue::Tissues};
 use crate::models::axisymmetric::time::due::FramesDue;
 use crate::models::axisymmetric::time::march::{
     Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
@@ -94,10 +91,7 @@ pub fn run_through(
     spacing: Spacing,
     take: Take,
 ) -> Result<(), Stop> {
-    let keep = Keep {
-        traces: false,
-        frames: Some(spacing),
-    };
+    let keep = Keep { traces: false, frames: Some(spacing) };
     let motion = Motion::new(eye, CellLoop::Rows, blow, keep, window.into());
     let run = motion.march(steps.into(), &mut unwatched, Some(take));
     run.map(|_| ())
@@ -125,10 +119,7 @@ pub(crate) struct Load {
 
 impl Load {
     fn force(&self, time: f64) -> f64 {
-        let now = self
-            .segments
-            .iter()
-            .find(|s| time >= s.start && time <= s.end);
+        let now = self.segments.iter().find(|s| time >= s.start && time <= s.end);
         now.map_or(0.0, |s| self.pulse.force(s.piece, time))
     }
 }
@@ -192,11 +183,7 @@ impl<'a> Motion<'a> {
             AxisymmetricLoad::Pulse(pulse, half_width) => {
                 let shares = Target::shares(eye, *half_width);
                 let pulse = pulse.clone();
-                let load = Load {
-                    segments: pulse.segments(window.most()),
-                    pulse,
-                    shares,
-                };
+                let load = Load { segments: pulse.segments(window.most()), pulse, shares };
                 (None, Some(load))
             }
         };
@@ -263,9 +250,7 @@ impl Marching for Motion<'_> {
         let v = (&self.state.vx[at.clone()], &self.state.vr[at.clone()]);
         let fx = &mut self.state.fx[at.clone()];
         let fr = &mut self.state.fr[at];
-        let shell = self
-            .shell
-            .forces((x, r), (&mut *fx, &mut *fr), &mut self.tension);
+        let shell = self.shell.forces((x, r), (&mut *fx, &mut *fr), &mut self.tension);
         let mut limit = sums.limit.min(self.shell.limit);
         let (mut force, mut loss_in_object) = (0.0, 0.0);
         let mut touch = None;
@@ -284,21 +269,11 @@ impl Marching for Motion<'_> {
                 *f += force * share;
             }
         }
-        Instant {
-            sums,
-            shell,
-            touch,
-            force,
-            loss_in_object,
-            limit,
-        }
+        Instant { sums, shell, touch, force, loss_in_object, limit }
     }
 
     fn bounds(now: &Instant) -> Bounds {
-        Bounds {
-            all: now.limit,
-            cells: now.sums.limit,
-        }
+        Bounds { all: now.limit, cells: now.sums.limit }
     }
 
     fn over(&self, time: f64) -> bool {
@@ -309,10 +284,9 @@ impl Marching for Motion<'_> {
                 away > GONE + projectile.swing()
                     && projectile.velocity() < self.state.vx[apex].min(0.0)
             }
-            (_, Some(load)) => load
-                .segments
-                .iter()
-                .any(|s| s.piece == Piece::Nothing && time > s.start),
+            (_, Some(load)) => {
+                load.segments.iter().any(|s| s.piece == Piece::Nothing && time > s.start)
+            }
             _ => false,
         }
     }
@@ -356,12 +330,7 @@ impl Marching for Motion<'_> {
     }
 
     fn finish(mut self, time: f64, steps: usize, settled: bool) -> EngineRun {
-        let eye: f64 = self
-            .mass
-            .iter()
-            .zip(&self.state.vx)
-            .map(|(m, v)| m * v)
-            .sum();
+        let eye: f64 = self.mass.iter().zip(&self.state.vx).map(|(m, v)| m * v).sum();
         let object = self.object.as_ref().map_or(0.0, |(_, f)| f.momentum());
         let rebound = self.object.as_ref().map(|(_, f)| -f.velocity());
         self.account.finish(rebound);

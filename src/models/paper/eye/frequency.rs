@@ -16,8 +16,7 @@
 //! within 3 % of the highest frequency that springs at rest length could have if they resisted in
 //! every direction.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::springs::SpringKind;
+use crate::models::paper::eye::{Eye, springs::SpringKind};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -79,11 +78,7 @@ fn omega_by_ring(eye: &Eye) -> f64 {
         eye,
         |index| others.next_if_eq(&index).is_some(),
         |node| {
-            if order[node] == usize::MAX {
-                0.0
-            } else {
-                by_shell
-            }
+            if order[node] == usize::MAX { 0.0 } else { by_shell }
         },
     )
 }
@@ -151,10 +146,7 @@ mod tests {
             });
             let (bound, truth) = (omega_bound(&eye), iterated(&eye));
             let ratios = (omega_by_nodes(&eye) / bound, truth / bound);
-            assert!(
-                ratios.0 >= 1.0 && ratios.1 <= 1.0,
-                "{filament_hops:?} {ratios:?}"
-            );
+            assert!(ratios.0 >= 1.0 && ratios.1 <= 1.0, "{filament_hops:?} {ratios:?}");
             if sclera_kpa > 1e4 && filament_hops == [2, 3, 4] {
                 assert!(ratios.0 > 1.15 && ratios.1 > 0.96, "{ratios:?}");
             }

@@ -22,9 +22,7 @@ fn weight(away: isize, k: isize) -> f64 {
 pub(crate) fn of_force(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let middle = (grid.0.cast_signed() * k, grid.1.cast_signed() * k);
     let reach = 1 - k..k;
-    let places = reach
-        .clone()
-        .flat_map(|v| reach.clone().map(move |u| (u, v)));
+    let places = reach.clone().flat_map(|v| reach.clone().map(move |u| (u, v)));
     let hat = places.filter_map(|(u, v)| {
         let node = mesh.node_at((middle.0 + u) as usize, (middle.1 + v) as usize)?;
         (!mesh.nodes[node].fixed()).then(|| (node, weight(u, k) * weight(v, k)))

@@ -43,16 +43,14 @@ pub struct Landmarks {
 pub(crate) fn find(mesh: &SectionMesh, level: u32) -> Landmarks {
     let k = level as usize;
     let at = |(i, j): (usize, usize)| {
-        mesh.node_at(i * k, j * k)
-            .expect("the globe is never cut by the opening")
+        mesh.node_at(i * k, j * k).expect("the globe is never cut by the opening")
     };
     let mirrored = |(i, j): (usize, usize)| (i, 15 - j);
     let (front, top) = (grid(Monitor::Front), grid(Monitor::Top));
     let (apex, meridian) = ([front, mirrored(front)], [top, mirrored(top)]);
 
-    let mut shell: Vec<usize> = (0..mesh.nodes.len())
-        .filter(|&i| mesh.nodes[i].region.on_shell())
-        .collect();
+    let mut shell: Vec<usize> =
+        (0..mesh.nodes.len()).filter(|&i| mesh.nodes[i].region.on_shell()).collect();
     let angle = |i: usize| {
         let p = mesh.nodes[i].position;
         libm::atan2(p.y, p.x).rem_euclid(std::f64::consts::TAU)

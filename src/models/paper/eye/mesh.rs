@@ -113,11 +113,7 @@ pub(crate) fn build(input: &EyeInput) -> SectionMesh {
                 if front_angle(position).abs() <= opening {
                     continue;
                 }
-                if ring < 7.5 * k {
-                    Region::Fat
-                } else {
-                    Region::Orbit
-                }
+                if ring < 7.5 * k { Region::Fat } else { Region::Orbit }
             } else if ring == SHELL_RING * k {
                 if PI - front_angle(position).abs() <= retina {
                     Region::Retina
@@ -129,35 +125,18 @@ pub(crate) fn build(input: &EyeInput) -> SectionMesh {
             } else {
                 Region::Interior
             };
-            let drag = if region.in_globe() {
-                input.globe_drag_ns_m
-            } else {
-                input.fat_drag_ns_m
-            };
+            let drag = if region.in_globe() { input.globe_drag_ns_m } else { input.fat_drag_ns_m };
             at[j * side + i] = Some(nodes.len());
-            nodes.push(Node {
-                grid: (i, j),
-                position,
-                region,
-                mass,
-                drag: drag * refinement,
-            });
+            nodes.push(Node { grid: (i, j), position, region, mass, drag: drag * refinement });
         }
     }
 
-    let mut mesh = SectionMesh {
-        side,
-        nodes,
-        quads: Vec::new(),
-        at,
-    };
+    let mut mesh = SectionMesh { side, nodes, quads: Vec::new(), at };
     for j in 0..side - 1 {
         for i in 0..side - 1 {
             let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-            let found: Vec<usize> = corners
-                .iter()
-                .filter_map(|&(p, q)| mesh.node_at(p, q))
-                .collect();
+            let found: Vec<usize> =
+                corners.iter().filter_map(|&(p, q)| mesh.node_at(p, q)).collect();
             if let Ok(quad) = found.try_into() {
                 mesh.quads.push(quad);
             }
@@ -191,10 +170,7 @@ mod tests {
     #[test]
     fn the_opening_keeps_nothing_in_front_but_the_globe() {
         for level in 1..=4 {
-            let mesh = build(&EyeInput {
-                level,
-                ..EyeInput::default()
-            });
+            let mesh = build(&EyeInput { level, ..EyeInput::default() });
             for node in &mesh.nodes {
                 if !node.region.in_globe() {
                     assert!(node.front_angle().to_degrees().abs() > 40.0 + 1e-10);

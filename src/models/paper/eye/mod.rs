@@ -72,10 +72,7 @@ mod tests {
     use super::*;
 
     fn level(level: u32) -> Eye {
-        Eye::build(&EyeInput {
-            level,
-            ..EyeInput::default()
-        })
+        Eye::build(&EyeInput { level, ..EyeInput::default() })
     }
 
     #[test]
@@ -133,12 +130,8 @@ mod tests {
     #[test]
     fn the_globes_mass_is_the_same_at_every_level() {
         for k in 1..=4 {
-            let mass: f64 = level(k)
-                .nodes
-                .iter()
-                .filter(|n| n.region.in_globe())
-                .map(|n| n.mass)
-                .sum();
+            let mass: f64 =
+                level(k).nodes.iter().filter(|n| n.region.in_globe()).map(|n| n.mass).sum();
             assert!((mass - 7.5e-3).abs() < 1e-12);
         }
     }

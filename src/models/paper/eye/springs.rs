@@ -9,10 +9,7 @@
 //! springs. Sclera springs are multiplied by k and filaments divided by k at level k, so that the
 //! tension of the shell for a given stretch does not depend on the mesh.
 
-use crate::models::paper::eye::cross;
-use crate::models::paper::eye::lens::area_within;
-use crate::models::paper::eye::mesh::Node;
-use crate::models::paper::eye::mesh::SectionMesh;
+use crate::models::paper::eye::{cross, lens::area_within, mesh::Node, mesh::SectionMesh};
 use crate::run::places::Region;
 use crate::scenario::{EyeInput, Lens};
 use std::collections::BTreeMap;
@@ -82,13 +79,10 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
         for p in 0..4 {
             for q in p + 1..4 {
                 let (a, b) = (quad[p], quad[q]);
-                let triangles = (0..4)
-                    .filter(|&r| r != p && r != q)
-                    .map(|r| [a, b, quad[r]].map(position));
-                let whole: f64 = triangles
-                    .clone()
-                    .map(|[a, b, c]| cross(a, b, c).abs() / 2.0)
-                    .sum();
+                let triangles =
+                    (0..4).filter(|&r| r != p && r != q).map(|r| [a, b, quad[r]].map(position));
+                let whole: f64 =
+                    triangles.clone().map(|[a, b, c]| cross(a, b, c).abs() / 2.0).sum();
                 let entry = areas.entry((a.min(b), a.max(b))).or_default();
                 entry.whole += whole;
                 if by_area {
@@ -129,11 +123,7 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
         .collect();
 
     let axial_stiffness = shell_axial_stiffness(&springs, shell) / k * input.filament_factor;
-    let hops = if axial_stiffness > 0.0 {
-        input.filament_hops.as_slice()
-    } else {
-        &[]
-    };
+    let hops = if axial_stiffness > 0.0 { input.filament_hops.as_slice() } else { &[] };
     for &hop in hops {
         let stride = hop as usize * input.level as usize;
         for (i, &a) in shell.iter().enumerate() {

@@ -8,9 +8,8 @@
 use crate::models::paper::forces::lanes::{
     Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store, total, zeros,
 };
-use crate::models::paper::forces::layout::LANES;
 use crate::models::paper::forces::state::{Scratch, State};
-use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{layout::LANES, system::System};
 use fearless_simd::{Simd, SimdBase};
 
 /// Length of the closed shell as it was last gathered, in m.
@@ -66,11 +65,7 @@ pub(crate) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
             total.0 += pulled.0 - pulling.0;
             total.1 += pulled.1 - pulling.1;
         }
-        for ((&(slot, _), x), y) in places
-            .iter()
-            .zip(total.0.as_slice())
-            .zip(total.1.as_slice())
-        {
+        for ((&(slot, _), x), y) in places.iter().zip(total.0.as_slice()).zip(total.1.as_slice()) {
             extra_x[slot as usize] = *x;
             extra_y[slot as usize] = *y;
         }

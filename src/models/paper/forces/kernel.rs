@@ -21,9 +21,8 @@ use crate::models::paper::forces::lanes::{
     Pair, Sums, V, fused, load, load_pair, splat, store, total,
 };
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SHIFT};
-use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::sweep::{Nodes, Update, sweep};
-use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{state::State, system::System};
 use crate::models::pulse::Piece;
 use fearless_simd::{Level, Simd, SimdBase, dispatch};
 
@@ -75,10 +74,7 @@ pub(crate) fn by_tissue<S: Simd, const QUICK: bool>(simd: S, fat: V<S>, of: [f64
 
 /// The drift of some nodes: new positions are returned, new velocities stored, and the energy that
 /// drag takes is added to `loss`.
-#[allow(
-    clippy::needless_pass_by_value,
-    reason = "it holds the only borrows of the nodes"
-)]
+#[allow(clippy::needless_pass_by_value, reason = "it holds the only borrows of the nodes")]
 #[inline(always)]
 fn drift<S: Simd, const QUICK: bool>(
     stage: Stage,
@@ -97,10 +93,7 @@ fn drift<S: Simd, const QUICK: bool>(
     *loss = fused::<S, QUICK>(speed_squared, lost, *loss);
     store::<S>(nodes.vx, 0, vx * keep);
     store::<S>(nodes.vy, 0, vy * keep);
-    (
-        fused::<S, QUICK>(reach, vx, nodes.position.0),
-        fused::<S, QUICK>(reach, vy, nodes.position.1),
-    )
+    (fused::<S, QUICK>(reach, vx, nodes.position.0), fused::<S, QUICK>(reach, vy, nodes.position.1))
 }
 
 struct KickDrift<S: Simd, const QUICK: bool> {
@@ -115,10 +108,8 @@ impl<S: Simd, const QUICK: bool> Update<S> for KickDrift<S, QUICK> {
         let inverse_mass = load(simd, &nodes.group.inverse_mass, nodes.lane);
         let w = inverse_mass * self.stage.kick;
         let before = load_pair(simd, nodes.vx, nodes.vy, 0);
-        let velocity = (
-            fused::<S, QUICK>(force.0, w, before.0),
-            fused::<S, QUICK>(force.1, w, before.1),
-        );
+        let velocity =
+            (fused::<S, QUICK>(force.0, w, before.0), fused::<S, QUICK>(force.1, w, before.1));
         drift::<S, QUICK>(self.stage, nodes, velocity, &mut self.loss)
     }
 }
@@ -160,10 +151,7 @@ fn kick_drift_as<S: Simd, const QUICK: bool>(
     let mut sums = Sums::new(simd);
     fill_ghosts(system, state);
     ring_forces::<S, QUICK, false>(simd, system, state, force, &mut sums);
-    let mut update = KickDrift::<S, QUICK> {
-        stage,
-        loss: splat(simd, 0.0),
-    };
+    let mut update = KickDrift::<S, QUICK> { stage, loss: splat(simd, 0.0) };
     sweep::<S, QUICK, false, true>(simd, system, state, &mut sums, &mut update);
     total::<S>(update.loss)
 }
@@ -177,10 +165,7 @@ fn start_as<S: Simd, const QUICK: bool>(
     stage: Stage,
 ) -> f64 {
     let mut loss = splat(simd, 0.0);
-    let (first, last) = (
-        system.first_row * system.stride,
-        (system.side - 1) * system.stride,
-    );
+    let (first, last) = (system.first_row * system.stride, (system.side - 1) * system.stride);
     let (x, y): (&mut [f64], &mut [f64]) = (&mut state.x, &mut state.y);
     let (vx, vy): (&mut [f64], &mut [f64]) = (&mut state.vx, &mut state.vy);
     let (ax, ay): (&mut [f64], &mut [f64]) = (&mut state.ax, &mut state.ay);
@@ -228,10 +213,7 @@ fn evaluate_as<S: Simd, const QUICK: bool>(
     let mut sums = Sums::new(simd);
     fill_ghosts(system, state);
     ring_forces::<S, QUICK, true>(simd, system, state, force, &mut sums);
-    let mut update = Keep::<S, QUICK> {
-        kick,
-        kinetic: splat(simd, 0.0),
-    };
+    let mut update = Keep::<S, QUICK> { kick, kinetic: splat(simd, 0.0) };
     sweep::<S, QUICK, true, false>(simd, system, state, &mut sums, &mut update);
     let strain_squared = sums.strain_squared.as_slice().iter().copied();
     let quad_ratio = sums.quad_ratio.as_slice().iter().copied();
@@ -311,10 +293,7 @@ pub fn vectors_name(level: Level) -> String {
 pub fn vector_sets() -> Vec<Level> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
-    let lesser = [
-        best.as_sse2().map(Level::Sse2),
-        best.as_avx2().map(Level::Avx2),
-    ];
+    let lesser = [best.as_sse2().map(Level::Sse2), best.as_avx2().map(Level::Avx2)];
     #[cfg(not(target_arch = "x86_64"))]
     let lesser = [None, None];
     let width = |level: Level| dispatch!(level, simd => lanes::width(simd));
@@ -327,8 +306,7 @@ pub fn vector_sets() -> Vec<Level> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::eye::Eye;
-    use crate::models::paper::forces::load::ArcLoad;
+    use crate::models::paper::{eye::Eye, forces::load::ArcLoad};
     use crate::models::pulse::Pulse;
     use crate::scenario::Scenario;
 
@@ -346,11 +324,7 @@ mod tests {
         system.set_level(level);
         let mut state = State::at_rest(&system);
         let h = 0.5 / system.omega_bound();
-        let stage = Stage {
-            kick: h,
-            drift: [h, 0.9 * h],
-            keep: [0.99, 0.98],
-        };
+        let stage = Stage { kick: h, drift: [h, 0.9 * h], keep: [0.99, 0.98] };
         for _ in 0..100 {
             kick_drift(&system, &mut state, 300.0, stage);
         }

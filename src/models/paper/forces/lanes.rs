@@ -235,9 +235,7 @@ mod tests {
         let error = |value: f64| {
             let root = inverse_root::<S, QUICK>(simd, splat(simd, value));
             let exact = 1.0 / value.sqrt();
-            root.as_slice()
-                .iter()
-                .fold(0.0, |most, r| f64::max(most, (r / exact - 1.0).abs()))
+            root.as_slice().iter().fold(0.0, |most, r| f64::max(most, (r / exact - 1.0).abs()))
         };
         // Two binades cover every mantissa; squared lengths lie between 1e-19 and 1 m^2.
         let mantissas = (0..20_000).map(|i| 1.0 + 3.0 * f64::from(i) / 20_000.0);

@@ -79,12 +79,7 @@ impl MovedRows {
         } else {
             (0, None)
         };
-        Self {
-            side,
-            stride,
-            first,
-            mirror,
-        }
+        Self { side, stride, first, mirror }
     }
 
     pub fn owns(&self, row: usize) -> bool {
@@ -107,10 +102,7 @@ impl MovedRows {
     pub fn place(&self, (i, j): (usize, usize)) -> RowPlace {
         let mirrored = !self.owns(j);
         let row = if mirrored { self.side - 1 - j } else { j };
-        RowPlace {
-            slot: row * self.stride + i + SHIFT,
-            mirrored,
-        }
+        RowPlace { slot: row * self.stride + i + SHIFT, mirrored }
     }
 }
 

@@ -71,11 +71,7 @@ mod tests {
     fn an_arc_past_the_opening_is_clipped_and_the_shielded_share_is_stated() {
         let eye = Eye::build(&EyeInput::default());
         let load = ArcLoad::new(
-            &ForcePulse {
-                angle_deg: 30.0,
-                half_width_deg: 20.0,
-                ..ForcePulse::default()
-            },
+            &ForcePulse { angle_deg: 30.0, half_width_deg: 20.0, ..ForcePulse::default() },
             &eye,
         );
         assert!((load.shielded - 0.25).abs() < 1e-12);

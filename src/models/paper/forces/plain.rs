@@ -3,8 +3,7 @@
 //! This is how most people would write it first. It is kept as the reference that the row kernel
 //! is tested against and as the baseline that the benchmarks compare with.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::load::ArcLoad;
+use crate::models::paper::{eye::Eye, forces::load::ArcLoad};
 use crate::models::pulse::Pulse;
 
 /// An eye and its load as lists of edges and nodes.
@@ -37,21 +36,11 @@ impl Plain {
         let n = eye.nodes.len();
         let free = |i: usize| !eye.nodes[i].fixed();
         Self {
-            edges: eye
-                .springs
-                .iter()
-                .map(|s| (s.a as u32, s.b as u32))
-                .collect(),
+            edges: eye.springs.iter().map(|s| (s.a as u32, s.b as u32)).collect(),
             stiffness: eye.springs.iter().map(|s| s.stiffness).collect(),
             rest: eye.springs.iter().map(|s| s.rest_length).collect(),
             inverse_mass: (0..n)
-                .map(|i| {
-                    if free(i) {
-                        1.0 / eye.nodes[i].mass
-                    } else {
-                        0.0
-                    }
-                })
+                .map(|i| if free(i) { 1.0 / eye.nodes[i].mass } else { 0.0 })
                 .collect(),
             decay: eye.nodes.iter().map(|node| node.drag / node.mass).collect(),
             loads: load
@@ -112,11 +101,7 @@ impl Plain {
                 .decay
                 .iter()
                 .map(|&g| {
-                    let reach = if g == 0.0 {
-                        h
-                    } else {
-                        -libm::expm1(-g * h) / g
-                    };
+                    let reach = if g == 0.0 { h } else { -libm::expm1(-g * h) / g };
                     (reach, libm::exp(-g * h))
                 })
                 .collect();

@@ -3,8 +3,7 @@
 //! The shell is gathered into a run with ghosts at both ends, so that the springs of one hop count
 //! are vectors as well: place o against place o + hop.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::springs::SpringKind;
+use crate::models::paper::eye::{Eye, springs::SpringKind};
 use crate::models::paper::forces::layout::{LANES, Lane, MovedRows};
 use std::collections::HashMap;
 
@@ -66,10 +65,7 @@ pub(crate) fn compile(eye: &Eye, rows: &MovedRows) -> Ring {
     let shell = &eye.landmarks.shell;
     let count = shell.len();
     // The upper half starts just above the posterior pole, or on it.
-    let owned = shell
-        .iter()
-        .take_while(|&&i| rows.owns(eye.nodes[i].grid.1))
-        .count();
+    let owned = shell.iter().take_while(|&&i| rows.owns(eye.nodes[i].grid.1)).count();
     let mut by_hop: Vec<(usize, HashMap<usize, usize>)> = Vec::new();
     let order: HashMap<usize, usize> = shell.iter().enumerate().map(|(o, &i)| (i, o)).collect();
     for (index, spring) in eye.springs.iter().enumerate() {
@@ -86,12 +82,7 @@ pub(crate) fn compile(eye: &Eye, rows: &MovedRows) -> Ring {
         }
     }
     // One at least, so that every pair of neighbours is in the run.
-    let ghosts = by_hop
-        .iter()
-        .map(|(h, _)| *h)
-        .max()
-        .unwrap_or(0)
-        .max(count.min(1));
+    let ghosts = by_hop.iter().map(|(h, _)| *h).max().unwrap_or(0).max(count.min(1));
     let at = |offset: usize| (offset + count * 2 - ghosts) % count;
     let gather: Vec<(u32, f64)> = (0..owned + 2 * ghosts)
         .map(|g| {

@@ -1,8 +1,7 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
-use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, RowPlace};
-use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{aligned::Aligned, system::System};
 use nalgebra::{Point2, Vector2};
 
 /// The eye at one instant.
@@ -128,10 +127,6 @@ impl System {
     /// Decay rate c/m at a slot, in 1/s.
     pub(crate) fn decay_at(&self, slot: usize) -> f64 {
         let fat = self.groups[slot / LANES].fat[slot % LANES];
-        if fat > 0.0 {
-            self.decay[1]
-        } else {
-            self.decay[0]
-        }
+        if fat > 0.0 { self.decay[1] } else { self.decay[0] }
     }
 }

@@ -17,8 +17,7 @@ use crate::models::paper::forces::lanes::{
     Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
 };
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SpringGroup, SurveyGroup};
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{state::State, system::System};
 use fearless_simd::{Simd, SimdBase};
 
 /// What an update may read and write of some neighbouring nodes: of each run as many values as a
@@ -97,16 +96,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     std::hint::black_box(&mut Line([0; 64]));
     let width = V::<S>::LEN;
     let shortest = splat(simd, system.shortest_squared);
-    let State {
-        x,
-        y,
-        vx,
-        vy,
-        ax,
-        ay,
-        scratch,
-        ..
-    } = state;
+    let State { x, y, vx, vy, ax, ay, scratch, .. } = state;
     // Borrowed once, all of one length: a bound checked for one is checked for all.
     let len = x.len();
     let (x, y): (&mut [f64], &mut [f64]) = (&mut x[..len], &mut y[..len]);
@@ -116,10 +106,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     let (up_x, up_y) = (&mut scratch.up_x[..len], &mut scratch.up_y[..len]);
     let groups = &system.groups[..=system.active.last / LANES];
     let reach = stride + 1 + width;
-    assert!(
-        system.active.last + reach <= len,
-        "a vector beyond the mesh"
-    );
+    assert!(system.active.last + reach <= len, "a vector beyond the mesh");
     // Forces on their way to the next vector.
     let mut across = zeros(simd);
     let mut rising = zeros(simd);
@@ -161,14 +148,10 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         let [to_right, to_above, to_corner, from_above] = forces;
         // Springs whose far end is one node to the right of here, and of above.
         let onto_right = (to_right.0 + from_above.0, to_right.1 + from_above.1);
-        let from_left = (
-            shifted::<S>(across.0, onto_right.0),
-            shifted::<S>(across.1, onto_right.1),
-        );
-        let from_corner = (
-            shifted::<S>(rising.0, to_corner.0),
-            shifted::<S>(rising.1, to_corner.1),
-        );
+        let from_left =
+            (shifted::<S>(across.0, onto_right.0), shifted::<S>(across.1, onto_right.1));
+        let from_corner =
+            (shifted::<S>(rising.0, to_corner.0), shifted::<S>(rising.1, to_corner.1));
         (across, rising) = (onto_right, to_corner);
 
         // SAFETY: of every run here `reach` values are there from `o` on, and `stride + width` are

@@ -12,17 +12,12 @@
 //! below it is a ghost that mirrors the row above; each node then stands for itself and its image,
 //! which the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::frequency;
-use crate::models::paper::eye::springs::SpringKind;
-use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::lanes;
+use crate::models::paper::eye::{Eye, frequency, springs::SpringKind};
 use crate::models::paper::forces::layout::{
     Active, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
 };
-use crate::models::paper::forces::load::ArcLoad;
-use crate::models::paper::forces::ring;
-use crate::models::paper::forces::ring::Ring;
+use crate::models::paper::forces::{aligned::Aligned, lanes};
+use crate::models::paper::forces::{load::ArcLoad, ring, ring::Ring};
 use crate::models::pulse::Pulse;
 use fearless_simd::{Level, dispatch};
 
@@ -79,10 +74,7 @@ impl System {
         let stride = side.next_multiple_of(LANES);
         let rows = MovedRows::new(side, stride, mirrored);
 
-        let no_quads = SurveyGroup {
-            no_quad: [1.0; LANES],
-            ..SurveyGroup::default()
-        };
+        let no_quads = SurveyGroup { no_quad: [1.0; LANES], ..SurveyGroup::default() };
         let mut system = Self {
             side,
             stride,
@@ -99,11 +91,7 @@ impl System {
             level: Level::new(),
             active: Active::default(),
             places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
-            load: NodeLoad {
-                pulse,
-                shares: Vec::new(),
-                work: Vec::new(),
-            },
+            load: NodeLoad { pulse, shares: Vec::new(), work: Vec::new() },
             omega_bound: frequency::omega_bound(eye),
             springs_per_evaluation: 0,
         };
@@ -119,10 +107,7 @@ impl System {
                 let (fx, fy) = (share * load.direction.x, share * load.direction.y);
                 let weight = rows.weight(eye.nodes[node].grid.1);
                 system.load.shares.push((place.slot, fx, fy));
-                system
-                    .load
-                    .work
-                    .push((place.slot, weight * fx, weight * fy));
+                system.load.work.push((place.slot, weight * fx, weight * fy));
             }
         }
         system
@@ -238,11 +223,7 @@ impl System {
 }
 
 fn shortest_squared(eye: &Eye) -> f64 {
-    let shortest = eye
-        .springs
-        .iter()
-        .map(|s| s.rest_length)
-        .fold(f64::INFINITY, f64::min);
+    let shortest = eye.springs.iter().map(|s| s.rest_length).fold(f64::INFINITY, f64::min);
     (SHORTEST_SHARE * shortest).powi(2)
 }
 

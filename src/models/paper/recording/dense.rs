@@ -6,10 +6,8 @@
 //!
 //! An interval never spans a break of the load, where the acceleration jumps.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::springs::Spring;
-use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
+use crate::models::paper::{eye::Eye, eye::springs::Spring, forces::state::State};
 use crate::models::pulse::Piece;
 use crate::run::kept::Peak;
 use nalgebra::{Point2, Vector2};
@@ -246,14 +244,10 @@ impl NodeForce {
         let drags = self.drags.iter().map(|(drag, nodes)| (*drag, path(nodes)));
         self.dragged.extend(drags);
         self.paths.clear();
-        self.paths
-            .extend(self.ends.iter().map(|&n| path(&[(n, 1.0)])));
+        self.paths.extend(self.ends.iter().map(|&n| path(&[(n, 1.0)])));
         self.spans.clear();
         let paths = &self.paths;
-        let spans = self
-            .springs
-            .iter()
-            .map(|((a, b), ..)| paths[*b].relative_to(&paths[*a]));
+        let spans = self.springs.iter().map(|((a, b), ..)| paths[*b].relative_to(&paths[*a]));
         self.spans.extend(spans);
         let pulse = &system.load().pulse;
         let h = after.time - before.time;
@@ -272,10 +266,7 @@ impl NodeForce {
             }
             sum.norm()
         });
-        Peak {
-            value,
-            time: before.time + share * h,
-        }
+        Peak { value, time: before.time + share * h }
     }
 }
 
@@ -301,11 +292,7 @@ pub(crate) fn tugs(eye: &Eye, hat: &[(usize, f64)]) -> Vec<Tug> {
     let tug = |s: &Spring| {
         let difference: f64 = weights[s.a] - weights[s.b];
         (difference != 0.0).then(|| Tug {
-            ends: if difference > 0.0 {
-                (s.a, s.b)
-            } else {
-                (s.b, s.a)
-            },
+            ends: if difference > 0.0 { (s.a, s.b) } else { (s.b, s.a) },
             stiffness: s.stiffness * difference.abs(),
             squared: s.stiffness * (difference * difference),
             rest_length: s.rest_length,
@@ -321,9 +308,8 @@ mod tests {
     #[test]
     fn the_maximum_of_a_smooth_curve_is_found_between_samples() {
         for top in [0.03, 0.13, 0.5, 0.81, 0.98] {
-            let (value, share) = maximum(8, 0.0, |s| {
-                2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3)
-            });
+            let (value, share) =
+                maximum(8, 0.0, |s| 2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3));
             assert!((share - top).abs() < 1e-4, "{share}");
             assert!((value - 2.0).abs() < 1e-8);
         }

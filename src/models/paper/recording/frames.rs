@@ -3,10 +3,8 @@
 //! A frame falls between two step ends; positions come from dense output and forces from one
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::Path;
+use crate::models::paper::{eye::Eye, forces::state::State, forces::system::System};
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
 
@@ -28,11 +26,7 @@ impl FrameTaker {
         Self {
             spacing,
             nodes: eye.nodes.len(),
-            masses: eye
-                .nodes
-                .iter()
-                .map(|n| if n.fixed() { 0.0 } else { n.mass })
-                .collect(),
+            masses: eye.nodes.iter().map(|n| if n.fixed() { 0.0 } else { n.mass }).collect(),
             probe: State::at_rest(system),
             taken: 0,
             frames: Vec::new(),
@@ -75,9 +69,7 @@ impl FrameTaker {
         self.frames.push(Frame {
             front: None,
             time: self.due(),
-            positions: (0..self.nodes)
-                .map(|n| state.position(system.place(n)))
-                .collect(),
+            positions: (0..self.nodes).map(|n| state.position(system.place(n))).collect(),
             forces: (0..self.nodes)
                 .map(|n| self.masses[n] * state.acceleration(system, system.place(n)).norm())
                 .collect(),

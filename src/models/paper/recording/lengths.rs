@@ -3,12 +3,11 @@
 //! Each is a function of positions whose rate of change is known at step ends, so a maximum inside
 //! a step shows as a rate that turns from positive to negative.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::hats::Hat;
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
 use crate::models::paper::recording::dense::{Path, maximum};
 use crate::models::paper::recording::settling::Bend;
+use crate::models::paper::{
+    eye::Eye, eye::hats::Hat, forces::state::State, forces::system::System,
+};
 use crate::run::kept::Peak;
 use nalgebra::Vector2;
 
@@ -40,19 +39,13 @@ pub struct LinePoint {
 impl LinePoint {
     /// The mean position of the nodes.
     pub fn mean(nodes: Hat) -> Self {
-        Self {
-            base: Vector2::zeros(),
-            nodes,
-        }
+        Self { base: Vector2::zeros(), nodes }
     }
 
     /// The place of `middle`, moved by the mean displacement of the nodes.
     pub fn displaced(eye: &Eye, middle: usize, nodes: Hat) -> Self {
         let at = |node: usize| eye.nodes[node].position.coords;
-        Self {
-            base: at(middle) - sum(&nodes, at),
-            nodes,
-        }
+        Self { base: at(middle) - sum(&nodes, at), nodes }
     }
 }
 
@@ -195,10 +188,7 @@ impl Growth {
 
     /// How sharply the closed line bends in `state`.
     pub(crate) fn bend(&self, system: &System, state: &State) -> Bend {
-        let mut bend = Bend {
-            sharpest: 0.0,
-            shortest: f64::INFINITY,
-        };
+        let mut bend = Bend { sharpest: 0.0, shortest: f64::INFINITY };
         let position = |n| state.position(system.place(n)).coords;
         let corner = |i: usize| {
             let point = &self.points[i % self.points.len()];
@@ -213,11 +203,7 @@ impl Growth {
             bend.shortest = bend.shortest.min(side.norm());
             let direction = side / side.norm();
             let turn = before.map_or(0.0, |before| (direction - before).norm());
-            bend.sharpest = if turn >= 0.0 {
-                bend.sharpest.max(turn)
-            } else {
-                2.0
-            };
+            bend.sharpest = if turn >= 0.0 { bend.sharpest.max(turn) } else { 2.0 };
             (from, before) = (to, Some(direction));
         }
         bend

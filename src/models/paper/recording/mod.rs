@@ -8,9 +8,8 @@ pub mod lengths;
 pub mod recorder;
 pub mod settling;
 
-use crate::run::fold::Fold;
 use crate::run::kept::{Frame, Peak, Traces};
-use crate::run::plan::Cost;
+use crate::run::{fold::Fold, plan::Cost};
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq)]

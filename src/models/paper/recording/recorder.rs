@@ -1,22 +1,17 @@
 //! The observer that turns a run into a recording.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::hats::Hat;
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::load::ArcLoad;
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
-use crate::models::paper::recording::dense::NodeForce;
-use crate::models::paper::recording::frames::FrameTaker;
+use crate::models::paper::forces::{state::State, system::System};
 use crate::models::paper::recording::lengths::{Growth, LengthKind, LinePoint};
 use crate::models::paper::recording::settling::{Bend, RiseBounds, ShellBound};
 use crate::models::paper::recording::{PaperExtremes, Recording};
+use crate::models::paper::recording::{dense::NodeForce, frames::FrameTaker};
 use crate::models::paper::time::march::Observer;
+use crate::models::paper::{
+    eye::Eye, eye::hats::Hat, forces::kernel::Survey, forces::load::ArcLoad,
+};
 use crate::models::pulse::Piece;
-use crate::run::fold::FoldWatch;
 use crate::run::kept::{Keep, Peak, Traces};
-use crate::run::places::Region;
-use crate::run::plan::Cost;
+use crate::run::{fold::FoldWatch, places::Region, plan::Cost};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
@@ -54,9 +49,7 @@ struct Quad {
 impl Quad {
     fn new(eye: &Eye, corners: [usize; 4]) -> Self {
         let at = |node: usize| eye.nodes[node].position;
-        let sum = corners
-            .iter()
-            .fold(Vector2::zeros(), |sum, &n| sum + at(n).coords);
+        let sum = corners.iter().fold(Vector2::zeros(), |sum, &n| sum + at(n).coords);
         let regions = corners.map(|node| eye.nodes[node].region);
         Self {
             corners,
@@ -135,10 +128,7 @@ impl Recorder {
         let marks = &eye.landmarks;
         let share = |hat: &Hat| {
             let of = |node| load.shares.iter().find(|(n, _)| *n == node);
-            let sum = hat
-                .iter()
-                .filter_map(|&(n, w)| Some(w * of(n)?.1))
-                .sum::<f64>();
+            let sum = hat.iter().filter_map(|&(n, w)| Some(w * of(n)?.1)).sum::<f64>();
             load.direction * sum
         };
         let monitor = |m: usize| {
@@ -148,16 +138,9 @@ impl Recorder {
         let growth = |kind, points| Growth::new(kind, points, system, &rest);
         let displaced = |middles: [usize; 2], hats: &[Hat; 2]| {
             let points = middles.into_iter().zip(hats);
-            points
-                .map(|(n, hat)| LinePoint::displaced(eye, n, hat.clone()))
-                .collect()
+            points.map(|(n, hat)| LinePoint::displaced(eye, n, hat.clone())).collect()
         };
-        let ring = marks
-            .shell_hats
-            .iter()
-            .cloned()
-            .map(LinePoint::mean)
-            .collect();
+        let ring = marks.shell_hats.iter().cloned().map(LinePoint::mean).collect();
         Self {
             monitors: std::array::from_fn(monitor),
             forces: [Peak::floor(0.0); 4],
@@ -169,33 +152,20 @@ impl Recorder {
             window,
             surveyed_shell: marks.shell_hats.len() == marks.shell.len(),
             shell: growth(LengthKind::Ring, ring),
-            meridian: growth(
-                LengthKind::Span,
-                displaced(marks.meridian, &marks.meridian_hats),
-            ),
+            meridian: growth(LengthKind::Span, displaced(marks.meridian, &marks.meridian_hats)),
             apex: growth(LengthKind::MeanX, displaced(marks.apex, &marks.apex_hats)),
             elastic: Peak::floor(0.0),
             strain: Peak::floor(0.0),
             least_quad: 1.0,
-            quads: eye
-                .quads
-                .iter()
-                .map(|corners| Quad::new(eye, *corners))
-                .collect(),
+            quads: eye.quads.iter().map(|corners| Quad::new(eye, *corners)).collect(),
             fold: FoldWatch::new(eye.quads.len()),
             residual: 0.0,
             most_energy: 0.0,
-            rounding: eye
-                .springs
-                .iter()
-                .map(|s| s.stiffness * ROUNDING_M * ROUNDING_M)
-                .sum(),
+            rounding: eye.springs.iter().map(|s| s.stiffness * ROUNDING_M * ROUNDING_M).sum(),
             rows: keep.traces.then(Traces::default),
             every_row: steps.div_ceil(MAX_ROWS).max(1),
             steps: 0,
-            frames: keep
-                .frames
-                .map(|spacing| FrameTaker::new(spacing, eye, system)),
+            frames: keep.frames.map(|spacing| FrameTaker::new(spacing, eye, system)),
             before: rest,
         }
     }
@@ -231,10 +201,8 @@ impl Recorder {
                 trace.push(force);
             }
             rows.apex.push(self.apex.last());
-            rows.shell_growth
-                .push(self.shell.last() / self.shell.rest());
-            rows.meridian_growth
-                .push(self.meridian.last() / self.meridian.rest());
+            rows.shell_growth.push(self.shell.last() / self.shell.rest());
+            rows.meridian_growth.push(self.meridian.last() / self.meridian.rest());
             rows.kinetic.push(survey.kinetic);
             rows.elastic.push(survey.elastic);
             rows.dissipated.push(state.dissipated);
@@ -281,9 +249,7 @@ impl Recorder {
             value: growth.peak.value / growth.rest(),
             time: growth.peak.time,
         };
-        let late = [&self.shell, &self.meridian, &self.apex]
-            .iter()
-            .any(|g| g.still_rising());
+        let late = [&self.shell, &self.meridian, &self.apex].iter().any(|g| g.still_rising());
         let scale = state.work.abs().max(self.most_energy);
         let open = self.loaded || !self.forces_are_final(0.0);
         let mut extremes = PaperExtremes {
@@ -296,11 +262,7 @@ impl Recorder {
             strain: self.strain,
             least_quad_ratio: self.least_quad,
             fold: self.fold.fold(),
-            energy_residual: if scale > ROUNDING_J {
-                self.residual / scale
-            } else {
-                0.0
-            },
+            energy_residual: if scale > ROUNDING_J { self.residual / scale } else { 0.0 },
             lost_in_rounding: state.work != 0.0 && self.most_energy <= LOST * self.rounding,
             could_rise: open && scale > ROUNDING_J,
             still_rising: late && scale > ROUNDING_J,

@@ -22,9 +22,7 @@
 //! Once all of it stays below what has been recorded, the rest of the window need not be computed.
 //! The proof is of the equations of motion; it says nothing of a solution that is chaotic.
 
-use crate::models::paper::eye::Eye;
-use crate::models::paper::eye::hats::Hat;
-use crate::models::paper::eye::springs::SpringKind;
+use crate::models::paper::eye::{Eye, hats::Hat, springs::SpringKind};
 use crate::models::paper::recording::dense::tugs;
 use std::collections::BTreeMap;
 
@@ -71,10 +69,7 @@ pub(crate) struct Bend {
 
 impl Bend {
     /// Any bend at all.
-    pub const UNKNOWN: Self = Self {
-        sharpest: 2.0,
-        shortest: 0.0,
-    };
+    pub const UNKNOWN: Self = Self { sharpest: 2.0, shortest: 0.0 };
 
     /// How much a line that bends like this can still grow, in m, by the two bounds of its corners.
     pub fn growth(self, all: Travel, one: Travel, energy: f64, left: f64) -> f64 {
@@ -133,10 +128,7 @@ fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f
     for &(node, share) in hats {
         *weights.entry(node).or_default() += weight * share;
     }
-    let sum: f64 = weights
-        .iter()
-        .map(|(&n, w)| w * w / eye.nodes[n].drag)
-        .sum();
+    let sum: f64 = weights.iter().map(|(&n, w)| w * w / eye.nodes[n].drag).sum();
     Travel(sum.sqrt())
 }
 

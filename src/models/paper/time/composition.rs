@@ -8,10 +8,8 @@
 //! The Runge-Kutta-Nystrom conditions of Blanes and Moan hold with linear drag in the drift,
 //! because the kick depends on positions alone.
 
-use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Stage, Survey};
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{kernel, state::State, system::System};
 use crate::models::paper::time::stepper::{Drag, EqualSteps, Stepper};
 use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
@@ -82,11 +80,7 @@ impl<'a> Composition<'a> {
 
 /// Distance per initial speed when the speed decays at `rate` for `t` seconds.
 fn exact_reach(rate: f64, t: f64) -> f64 {
-    if rate == 0.0 {
-        t
-    } else {
-        -libm::expm1(-rate * t) / rate
-    }
+    if rate == 0.0 { t } else { -libm::expm1(-rate * t) / rate }
 }
 
 impl Stepper for Composition<'_> {

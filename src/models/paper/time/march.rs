@@ -3,9 +3,7 @@
 //! A segment ends at every break of the load. At its start the acceleration is evaluated afresh,
 //! because it may jump there; reusing the stale one costs an order of accuracy.
 
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::state::State;
-use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{kernel::Survey, state::State, system::System};
 use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::plan::{Cost, Plan};
 use crate::run::refusal::Refusal;
@@ -53,11 +51,7 @@ impl Plan {
 
     /// Number of steps in all.
     pub fn steps(&self, pulse: &Pulse) -> usize {
-        pulse
-            .segments(self.window)
-            .iter()
-            .map(|s| self.steps_in(s))
-            .sum()
+        pulse.segments(self.window).iter().map(|s| self.steps_in(s)).sum()
     }
 
     /// Number of steps while the load acts.
@@ -100,10 +94,7 @@ pub fn march(
             cost.steps += 1;
             let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
             if !energies.is_finite() {
-                return Err(Refusal::NotFinite {
-                    time: state.time,
-                    step: cost.steps,
-                });
+                return Err(Refusal::NotFinite { time: state.time, step: cost.steps });
             }
             observer.step(system, state, segment.piece, &survey);
             if observer.satisfied() {

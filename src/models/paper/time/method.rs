@@ -12,10 +12,9 @@
 //! Sources: S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330; J. R. Dormand and
 //! P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26.
 
-use crate::models::paper::forces::system::System;
-use crate::models::paper::time::composition::Composition;
 use crate::models::paper::time::runge_kutta::{RungeKutta, Tableau};
 use crate::models::paper::time::stepper::{Drag, Stepper};
+use crate::models::paper::{forces::system::System, time::composition::Composition};
 use crate::run::plan::Plan;
 use crate::scenario::Integrator;
 
@@ -45,10 +44,7 @@ pub struct Method {
 #[derive(Debug)]
 pub(crate) enum MethodKind {
     /// Kicks and drifts in turn, in shares of the step; the kicks are one more than the drifts.
-    Composition {
-        kicks: &'static [f64],
-        drifts: &'static [f64],
-    },
+    Composition { kicks: &'static [f64], drifts: &'static [f64] },
     /// An explicit Runge-Kutta method.
     RungeKutta(Tableau),
 }
@@ -109,10 +105,7 @@ static SEMI_IMPLICIT_EULER: Method = Method {
     stability_limit: 2.0,
     first_gap: None,
     drag: Drag::WithKick,
-    scheme: MethodKind::Composition {
-        kicks: &[1.0, 0.0],
-        drifts: &[1.0],
-    },
+    scheme: MethodKind::Composition { kicks: &[1.0, 0.0], drifts: &[1.0] },
 };
 
 static VELOCITY_VERLET: Method = Method {
@@ -123,10 +116,7 @@ static VELOCITY_VERLET: Method = Method {
     stability_limit: 2.0,
     first_gap: None,
     drag: Drag::Exact,
-    scheme: MethodKind::Composition {
-        kicks: &[0.5, 0.5],
-        drifts: &[1.0],
-    },
+    scheme: MethodKind::Composition { kicks: &[0.5, 0.5], drifts: &[1.0] },
 };
 
 static SRKN6B: Method = Method {
@@ -138,11 +128,8 @@ static SRKN6B: Method = Method {
     first_gap: Some(3.163),
     drag: Drag::Exact,
     scheme: {
-        const B: [f64; 3] = [
-            0.082_984_406_417_405_2,
-            0.396_309_801_498_368,
-            -0.039_056_304_922_348_6,
-        ];
+        const B: [f64; 3] =
+            [0.082_984_406_417_405_2, 0.396_309_801_498_368, -0.039_056_304_922_348_6];
         const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_080];
         const B4: f64 = 1.0 - 2.0 * (B[0] + B[1] + B[2]);
         const A3: f64 = 0.5 - A[0] - A[1];
@@ -179,12 +166,8 @@ static SRKN11B: Method = Method {
         const B6: f64 = 0.5 - (B[0] + B[1] + B[2] + B[3] + B[4]);
         const A6: f64 = 1.0 - 2.0 * (A[0] + A[1] + A[2] + A[3] + A[4]);
         MethodKind::Composition {
-            kicks: &[
-                B[0], B[1], B[2], B[3], B[4], B6, B6, B[4], B[3], B[2], B[1], B[0],
-            ],
-            drifts: &[
-                A[0], A[1], A[2], A[3], A[4], A6, A[4], A[3], A[2], A[1], A[0],
-            ],
+            kicks: &[B[0], B[1], B[2], B[3], B[4], B6, B6, B[4], B[3], B[2], B[1], B[0]],
+            drifts: &[A[0], A[1], A[2], A[3], A[4], A6, A[4], A[3], A[2], A[1], A[0]],
         }
     },
 };
@@ -220,28 +203,10 @@ static DOPRI5: Method = Method {
             &[0.2],
             &[3.0 / 40.0, 9.0 / 40.0],
             &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
-            &[
-                19372.0 / 6561.0,
-                -25360.0 / 2187.0,
-                64448.0 / 6561.0,
-                -212.0 / 729.0,
-            ],
-            &[
-                9017.0 / 3168.0,
-                -355.0 / 33.0,
-                46732.0 / 5247.0,
-                49.0 / 176.0,
-                -5103.0 / 18656.0,
-            ],
+            &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+            &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
         ],
-        weights: &[
-            35.0 / 384.0,
-            0.0,
-            500.0 / 1113.0,
-            125.0 / 192.0,
-            -2187.0 / 6784.0,
-            11.0 / 84.0,
-        ],
+        weights: &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
         error: &[
             71.0 / 57600.0,
             0.0,

@@ -14,13 +14,10 @@
     reason = "what is called within a vector dispatch must be compiled for its instructions"
 )]
 
-use crate::models::paper::forces::aligned::Aligned;
-use crate::models::paper::forces::kernel;
 use crate::models::paper::forces::kernel::{Survey, by_tissue};
 use crate::models::paper::forces::lanes::{V, fused, load, splat, store, total};
-use crate::models::paper::forces::layout::LANES;
-use crate::models::paper::forces::state::State;
 use crate::models::paper::forces::system::System;
+use crate::models::paper::forces::{aligned::Aligned, kernel, layout::LANES, state::State};
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
 use crate::models::pulse::{Piece, Segment};
 use crate::run::plan::{Cost, Plan};
@@ -66,14 +63,7 @@ struct Phase {
 impl Phase {
     fn zeros(len: usize) -> Self {
         let zeros = || Aligned::zeros(len);
-        Self {
-            x: zeros(),
-            y: zeros(),
-            vx: zeros(),
-            vy: zeros(),
-            work: 0.0,
-            dissipated: 0.0,
-        }
+        Self { x: zeros(), y: zeros(), vx: zeros(), vy: zeros(), work: 0.0, dissipated: 0.0 }
     }
 }
 
@@ -89,10 +79,7 @@ struct Terms<'a> {
 
 impl<'a> Terms<'a> {
     fn new(weights: &[f64], rates: &'a [Phase], part: Part, h: f64) -> Self {
-        let mut terms = Self {
-            each: [(0.0, &[]); MAX_RATES],
-            count: 0,
-        };
+        let mut terms = Self { each: [(0.0, &[]); MAX_RATES], count: 0 };
         for (weight, rates) in weights.iter().zip(rates) {
             if *weight != 0.0 {
                 terms.each[terms.count] = (weight * h, part(rates));
@@ -231,15 +218,10 @@ impl<'a> RungeKutta<'a> {
     fn combine(&self, state: &mut State, weights: &[f64], h: f64) {
         let (system, start) = (self.system, &self.start);
         for (part, to) in
-            PARTS
-                .iter()
-                .zip([&mut state.x, &mut state.y, &mut state.vx, &mut state.vy])
+            PARTS.iter().zip([&mut state.x, &mut state.y, &mut state.vx, &mut state.vy])
         {
             let terms = Terms::new(weights, &self.rates, *part, h);
-            on_vectors!(
-                system,
-                add_as(moving(system), &mut *to, part(start), &terms)
-            );
+            on_vectors!(system, add_as(moving(system), &mut *to, part(start), &terms));
         }
         let weighted = || weights.iter().zip(&self.rates);
         state.work = start.work + h * weighted().map(|(w, r)| w * r.work).sum::<f64>();
@@ -302,20 +284,14 @@ impl<'a> RungeKutta<'a> {
                 self.next
             };
             let survey = self.attempt(state, segment.piece, h, cost);
-            self.largest_energy = self
-                .largest_energy
-                .max(survey.kinetic + survey.elastic)
-                .max(LEAST_ENERGY_J);
+            self.largest_energy =
+                self.largest_energy.max(survey.kinetic + survey.elastic).max(LEAST_ENERGY_J);
             let error = self.error(h);
             let factor = CAUTION * libm::pow(tolerance / error, 1.0 / ERROR_POWER);
             let accepted = error <= tolerance || h <= SMALLEST_SHARE * longest;
             self.next = (h * factor.clamp(GROWTH.0, GROWTH.1)).min(longest);
             if accepted || !error.is_finite() {
-                state.time = if h == left {
-                    segment.end
-                } else {
-                    state.time + h
-                };
+                state.time = if h == left { segment.end } else { state.time + h };
                 return survey;
             }
         }

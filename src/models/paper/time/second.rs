@@ -1,11 +1,8 @@
 //! The second run that tells the step error of a run; the idea is in [`crate::run::rules`].
 
-use crate::models::paper::case::PaperCase;
-use crate::models::paper::rules::RULES;
+use crate::models::paper::{case::PaperCase, rules::RULES};
 use crate::models::pulse::Pulse;
-use crate::run::model::EyeModel;
-use crate::run::plan::Plan;
-use crate::run::rules::LONGEST_SHARE;
+use crate::run::{model::EyeModel, plan::Plan, rules::LONGEST_SHARE};
 
 /// The smallest ratio, over all segments, of the steps of `more` to those of `fewer`.
 fn least_ratio(more: &Plan, fewer: &Plan, pulse: &Pulse) -> f64 {
@@ -23,10 +20,7 @@ pub(crate) fn plan(case: &PaperCase, plan: &Plan) -> (Plan, f64) {
     let order = case.order(plan.integrator);
     let (ratio, safety) = (RULES.estimate.ratio, RULES.estimate.safety);
     let pulse = &case.system.load().pulse;
-    let coarser = Plan {
-        step: plan.step * ratio,
-        ..*plan
-    };
+    let coarser = Plan { step: plan.step * ratio, ..*plan };
     let finer = Plan {
         multiple: plan.multiple * ratio,
         local_tolerance: plan.local_tolerance * 0.1,
@@ -36,14 +30,8 @@ pub(crate) fn plan(case: &PaperCase, plan: &Plan) -> (Plan, f64) {
     // steps.
     let telling = |steps: usize, fewer: usize| steps as f64 > 0.5 * (1.0 + ratio) * fewer as f64;
     let coarser_tells = coarser.step <= LONGEST_SHARE * limit * (1.0 + 1e-9)
-        && !pulse
-            .segments(plan.window)
-            .iter()
-            .any(|s| coarser.at_least_steps(s))
-        && telling(
-            plan.steps_under_load(pulse),
-            coarser.steps_under_load(pulse),
-        )
+        && !pulse.segments(plan.window).iter().any(|s| coarser.at_least_steps(s))
+        && telling(plan.steps_under_load(pulse), coarser.steps_under_load(pulse))
         && telling(plan.steps(pulse), coarser.steps(pulse));
     if plan.integrator.method().adaptive() {
         // Its error follows the tolerance, unless the longest step binds; a finer run shows both.

@@ -12,8 +12,7 @@
 //!   grow by at most 2.4e-3 a step. Any drag above g h = 0.005 closes them; below that the step
 //!   stays under the first gap.
 
-use crate::models::paper::forces::system::System;
-use crate::models::paper::time::stepper::Drag;
+use crate::models::paper::{forces::system::System, time::stepper::Drag};
 use crate::scenario::Integrator;
 
 /// Drag rate times step that closes the gaps.

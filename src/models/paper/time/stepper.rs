@@ -1,7 +1,6 @@
 //! What makes the steps of a run.
 
-use crate::models::paper::forces::kernel::Survey;
-use crate::models::paper::forces::state::State;
+use crate::models::paper::forces::{kernel::Survey, state::State};
 use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 

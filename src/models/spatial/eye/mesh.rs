@@ -89,11 +89,7 @@ fn direction(of: Place3) -> Vector3<f64> {
     let across = libm::sin(angle);
     // On a plane of symmetry there is no rounding.
     let part = |i: i64, value: f64| if i == 0 { 0.0 } else { across * value };
-    Vector3::new(
-        libm::cos(angle),
-        part(of.1, libm::cos(azimuth)),
-        part(of.2, libm::sin(azimuth)),
-    )
+    Vector3::new(libm::cos(angle), part(of.1, libm::cos(azimuth)), part(of.2, libm::sin(azimuth)))
 }
 
 /// A mesh that grows.
@@ -144,9 +140,7 @@ impl Builder {
         if self.extent == Extent::Full {
             ring.pop();
         }
-        let sides = ring
-            .into_iter()
-            .flat_map(|(v, w)| (-m..=m).map(move |u| (u, v, w)));
+        let sides = ring.into_iter().flat_map(|(v, w)| (-m..=m).map(move |u| (u, v, w)));
         let inner = |w: i64| (1 - m..m).map(move |v| (v, w));
         let ends: Vec<_> = (self.nearest_w().max(1 - m)..m).flat_map(inner).collect();
         let back = ends.iter().map(|&(v, w)| (m, v, w));
@@ -204,17 +198,12 @@ impl Builder {
                 for v in -m..m {
                     cells.push(std::array::from_fn(|i| {
                         let across = i64::from((i >> 1 & 1 == 1) != flip);
-                        self.node(
-                            before + (i >> 2),
-                            (u, v + i64::from(i & 1 == 1), w + across),
-                        )
+                        self.node(before + (i >> 2), (u, v + i64::from(i & 1 == 1), w + across))
                     }));
                 }
             }
         }
-        self.mesh
-            .cells
-            .extend(cells.into_iter().map(|cell| (cell, place)));
+        self.mesh.cells.extend(cells.into_iter().map(|cell| (cell, place)));
     }
 }
 
@@ -229,12 +218,7 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dy
     let mut builder = Builder {
         half: i64::try_from(half).expect("a mesh that fits in memory"),
         extent,
-        mesh: Mesh {
-            at: Vec::new(),
-            cells: Vec::new(),
-            shell: Vec::new(),
-            wall: Vec::new(),
-        },
+        mesh: Mesh { at: Vec::new(), cells: Vec::new(), shell: Vec::new(), wall: Vec::new() },
         known: HashMap::new(),
     };
     builder.core(radius);
@@ -267,16 +251,10 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dy
         });
     }
     builder.mesh.hold(cavity);
-    let outer = builder
-        .surface()
-        .into_iter()
-        .map(|of| builder.node(layers + around, of));
+    let outer = builder.surface().into_iter().map(|of| builder.node(layers + around, of));
     let outer: Vec<usize> = outer.collect();
     let mesh = &mut builder.mesh;
-    mesh.wall = outer
-        .into_iter()
-        .filter(|node| cavity.behind(mesh.at[*node]) >= -1e-9)
-        .collect();
+    mesh.wall = outer.into_iter().filter(|node| cavity.behind(mesh.at[*node]) >= -1e-9).collect();
     builder.mesh.without_loose_nodes()
 }
 

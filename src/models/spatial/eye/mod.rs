@@ -81,11 +81,7 @@ fn part(i: usize, count: usize) -> f64 {
 pub(crate) fn within(p: &[Vector3<f64>; 8], s: [f64; 3]) -> Vector3<f64> {
     let weight = |i: usize| -> f64 {
         let along = |bit: usize| {
-            if i >> bit & 1 == 1 {
-                s[bit]
-            } else {
-                1.0 - s[bit]
-            }
+            if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
         };
         along(0) * along(1) * along(2)
     };
@@ -116,11 +112,7 @@ fn volumes(p: &[Vector3<f64>; 8]) -> [f64; 8] {
         let jacobian = along(0).dot(&along(1).cross(&along(2))) / 8.0;
         for (corner, volume) in volumes.iter_mut().enumerate() {
             let share = |bit: usize| {
-                if corner >> bit & 1 == 1 {
-                    s[bit]
-                } else {
-                    1.0 - s[bit]
-                }
+                if corner >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
             };
             *volume += jacobian * share(0) * share(1) * share(2);
         }
@@ -149,10 +141,7 @@ fn lens_share(parameters: &Parameters, p: &[Vector3<f64>; 8]) -> f64 {
     let (along, across) = lens.half_axes;
     let centre = Vector3::new(lens.centre, 0.0, 0.0);
     let size = (p[7] - p[0]).norm();
-    let nearest = p
-        .iter()
-        .map(|p| (p - centre).norm())
-        .fold(f64::INFINITY, f64::min);
+    let nearest = p.iter().map(|p| (p - centre).norm()).fold(f64::INFINITY, f64::min);
     if nearest > along.max(across) + size {
         return 0.0;
     }
@@ -218,15 +207,8 @@ impl SpatialEye {
         let radius = parameters.radius;
         let surround = parameters.surround.as_ref();
         let cavity: Option<Box<dyn Cavity>> = surround.map(|surround| match rim {
-            Some(rim) => Box::new(Orbit {
-                rim,
-                wall: surround.wall,
-                radius,
-            }) as Box<dyn Cavity>,
-            None => Box::new(Round {
-                wall: surround.wall,
-                opening: surround.opening,
-            }),
+            Some(rim) => Box::new(Orbit { rim, wall: surround.wall, radius }) as Box<dyn Cavity>,
+            None => Box::new(Round { wall: surround.wall, opening: surround.opening }),
         });
         let mesh = mesh::build(half, extent, radius, cavity.as_deref());
         // Tests in gelatin were made with objects that fit its holder.
@@ -318,22 +300,14 @@ impl SpatialEye {
 
     /// Volume of a cell at rest, in m3.
     pub(crate) fn volume(&self, cell: &Cell) -> f64 {
-        volumes(&cell.corners.map(|node| self.mesh.at[node]))
-            .iter()
-            .sum()
+        volumes(&cell.corners.map(|node| self.mesh.at[node])).iter().sum()
     }
 
     /// The quads of the shell, and of the free sides of what holds it, that an object can touch.
     pub(crate) fn open_quads(&self) -> Vec<[usize; 4]> {
         /// Sides of a cell, anticlockwise as seen from outside.
-        const SIDES: [[usize; 4]; 6] = [
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-        ];
+        const SIDES: [[usize; 4]; 6] =
+            [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
         let mut met = std::collections::BTreeMap::<[usize; 4], (usize, [usize; 4])>::new();
         for cell in &self.cells {
             for side in SIDES {
@@ -368,10 +342,7 @@ mod tests {
 
     #[test]
     fn the_globe_comes_near_a_ball_and_half_of_it_is_half() {
-        let parameters = Parameters {
-            surround: None,
-            ..Parameters::default()
-        };
+        let parameters = Parameters { surround: None, ..Parameters::default() };
         let ball = 4.0 / 3.0 * PI * 12e-3_f64.powi(3);
         for level in 1..=3 {
             let eye = |extent| SpatialEye::new(&parameters, None, extent, level);
@@ -382,16 +353,9 @@ mod tests {
             assert!((2.0 * volume(&half) / volume(&whole) - 1.0).abs() < 1e-12);
             let mass = |eye: &SpatialEye| eye.mass.iter().sum::<f64>();
             assert!((2.0 * mass(&half) / mass(&whole) - 1.0).abs() < 1e-12);
-            assert!(
-                mass(&whole) > 7.9e-3 && mass(&whole) < 8.5e-3,
-                "{}",
-                mass(&whole)
-            );
-            let area: f64 = whole
-                .quads
-                .iter()
-                .map(|q| area(&q.corners.map(|n| whole.mesh.at[n])))
-                .sum();
+            assert!(mass(&whole) > 7.9e-3 && mass(&whole) < 8.5e-3, "{}", mass(&whole));
+            let area: f64 =
+                whole.quads.iter().map(|q| area(&q.corners.map(|n| whole.mesh.at[n]))).sum();
             assert!((area / (4.0 * PI * 12e-3 * 12e-3) - 1.0).abs() < 0.02);
             assert_eq!(whole.open_quads().len(), whole.quads.len());
             assert_eq!(half.open_quads().len(), half.quads.len());
@@ -408,10 +372,7 @@ mod tests {
             (orbit, Some(Surround::orbit())),
         ] {
             for level in 1..=3 {
-                let parameters = Parameters {
-                    surround,
-                    ..Parameters::default()
-                };
+                let parameters = Parameters { surround, ..Parameters::default() };
                 let eye = SpatialEye::new(&parameters, rim, Extent::Full, level);
                 for cell in &eye.cells {
                     let p = cell.corners.map(|node| eye.mesh.at[node]);
@@ -431,11 +392,7 @@ mod tests {
         let rim = OrbitRim::from(&Rim::CAUCASIAN);
         let eye = SpatialEye::new(&Parameters::default(), Some(rim), Extent::Full, 1);
         assert!(eye.open_quads().len() > eye.quads.len() / 4);
-        let fat = eye
-            .cells
-            .iter()
-            .filter(|c| c.place == Place::Surround)
-            .count();
+        let fat = eye.cells.iter().filter(|c| c.place == Place::Surround).count();
         assert!((500..900).contains(&fat), "{fat}");
         let round = SpatialEye::new(&Parameters::default(), None, Extent::Full, 1);
         let rim = round.rim.unwrap();

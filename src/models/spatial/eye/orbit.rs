@@ -79,10 +79,7 @@ impl OrbitRim {
 
     /// x and distance from the axis at an azimuth, of a globe of `radius` m.
     pub fn at(&self, azimuth: f64, radius: f64) -> (f64, f64) {
-        (
-            periodic(&self.depth, azimuth) - radius,
-            periodic(&self.gap, azimuth) + radius,
-        )
+        (periodic(&self.depth, azimuth) - radius, periodic(&self.gap, azimuth) + radius)
     }
 
     /// The spheres of the rounded edge.
@@ -126,11 +123,7 @@ fn periodic(of: &[f64; 4], azimuth: f64) -> f64 {
     let secant = |i: usize| of[(i + 1) % 4] - of[i % 4];
     let slope = |i: usize| {
         let (a, b) = (secant(i + 3), secant(i));
-        if a * b > 0.0 {
-            2.0 * a * b / (a + b)
-        } else {
-            0.0
-        }
+        if a * b > 0.0 { 2.0 * a * b / (a + b) } else { 0.0 }
     };
     let (from, to) = (of[i], of[(i + 1) % 4]);
     let (s2, s3) = (s * s, s * s * s);
@@ -186,12 +179,7 @@ impl Orbit {
     /// Distance of the wall from the axis at `x`, behind a rim at some azimuth.
     fn wall_at(&self, x: f64, (rim_x, rim_r): (f64, f64)) -> f64 {
         let cone = |x: f64| match self.wall {
-            Wall::Cone {
-                radius,
-                slope,
-                behind,
-                ..
-            } => radius - slope * (x + behind),
+            Wall::Cone { radius, slope, behind, .. } => radius - slope * (x + behind),
             Wall::Sphere(radius) => (radius * radius - x * x).max(0.0).sqrt(),
         };
         cone(x) + (rim_r - cone(rim_x)) * libm::exp(-(x - rim_x) / RELAXES)

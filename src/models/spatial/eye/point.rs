@@ -81,10 +81,7 @@ impl SpatialEye {
                 return None;
             }
             let shares = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
-            Some(Point {
-                shares: quad.corners.into_iter().zip(shares).collect(),
-                mirrored,
-            })
+            Some(Point { shares: quad.corners.into_iter().zip(shares).collect(), mirrored })
         })
     }
 
@@ -92,11 +89,7 @@ impl SpatialEye {
     pub(crate) fn at(&self, place: Vector3<f64>, only: Option<Place>) -> Option<(Point, usize)> {
         let (place, mirrored) = self.computed(place);
         let wanted = |cell: &Cell| only.is_none_or(|only| cell.place == only);
-        let cells = self
-            .cells
-            .iter()
-            .enumerate()
-            .filter(|(_, cell)| wanted(cell));
+        let cells = self.cells.iter().enumerate().filter(|(_, cell)| wanted(cell));
         for (number, cell) in cells {
             let p = cell.corners.map(|node| self.mesh.at[node]);
             let middle = within(&p, [0.5; 3]);
@@ -126,11 +119,7 @@ impl SpatialEye {
             }
             let share = |i: usize| {
                 let along = |bit: usize| {
-                    if i >> bit & 1 == 1 {
-                        s[bit]
-                    } else {
-                        1.0 - s[bit]
-                    }
+                    if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
                 };
                 along(0) * along(1) * along(2)
             };

@@ -60,11 +60,7 @@ impl Bone {
 
     /// Adds its forces to those of nodes.
     pub fn forces(&self, state: &mut NodeState) -> Held {
-        let mut held = Held {
-            force: 0.0,
-            energy: 0.0,
-            limit: f64::INFINITY,
-        };
+        let mut held = Held { force: 0.0, energy: 0.0, limit: f64::INFINITY };
         let count = self.spheres.len();
         for &(node, area, mass) in &self.nodes {
             let at = vector(&state.at, node);
@@ -76,11 +72,7 @@ impl Bone {
             let deepest = (nearest + count - 1..=nearest + count + 1)
                 .map(|i| at - self.spheres[i % count].middle)
                 .fold(Vector3::repeat(f64::MAX.sqrt()), |a, b| {
-                    if b.norm_squared() < a.norm_squared() {
-                        b
-                    } else {
-                        a
-                    }
+                    if b.norm_squared() < a.norm_squared() { b } else { a }
                 });
             let apart = deepest.norm();
             let gap = self.edge - apart;

@@ -94,11 +94,7 @@ pub(crate) struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     pub fn of(one: &'a Constants) -> Self {
-        Self {
-            of: one,
-            stride: 1,
-            lane: 0,
-        }
+        Self { of: one, stride: 1, lane: 0 }
     }
 
     #[inline(always)]
@@ -326,11 +322,8 @@ pub(crate) fn respond<M: Math>(
     let mean = expansion * m.number(1.0 / 3.0);
     let half = m.number(0.5);
     let (xx, yy, zz) = (l[0][0] - mean, l[1][1] - mean, l[2][2] - mean);
-    let (xy, xz, yz) = (
-        half * (l[0][1] + l[1][0]),
-        half * (l[0][2] + l[2][0]),
-        half * (l[1][2] + l[2][1]),
-    );
+    let (xy, xz, yz) =
+        (half * (l[0][1] + l[1][0]), half * (l[0][2] + l[2][0]), half * (l[1][2] + l[2][1]));
     let shearing = xx * xx + yy * yy + zz * zz + m.number(2.0) * (xy * xy + xz * xz + yz * yz);
     loss += viscosity * now * shearing;
     let mut stress = [
@@ -360,14 +353,7 @@ pub(crate) fn respond<M: Math>(
     for n in 0..8 {
         force[n] = plus(force[n], on[n]);
     }
-    Response {
-        force,
-        pressure,
-        volume: true_volume,
-        loss,
-        rate,
-        least_corner: of_corners.least,
-    }
+    Response { force, pressure, volume: true_volume, loss, rate, least_corner: of_corners.least }
 }
 
 /// Stored in a cell with constants `c` and its corners at `p`, J.

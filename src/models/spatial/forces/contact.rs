@@ -158,10 +158,7 @@ impl Target {
         outline: ObjectOutline,
         line: (Vector3<f64>, Vector3<f64>),
     ) -> Option<f64> {
-        self.ahead
-            .iter()
-            .filter_map(|at| touches(outline, line, *at, 0.0))
-            .reduce(f64::min)
+        self.ahead.iter().filter_map(|at| touches(outline, line, *at, 0.0)).reduce(f64::min)
     }
 
     /// Whether an object is far from a quad.
@@ -192,10 +189,7 @@ impl Target {
     }
 
     /// Adds the forces of contact to those of nodes and to the projectile's.
-    #[expect(
-        clippy::too_many_lines,
-        reason = "one loop over quads and their points"
-    )]
+    #[expect(clippy::too_many_lines, reason = "one loop over quads and their points")]
     pub fn forces(
         &mut self,
         object: &Object,
@@ -217,12 +211,7 @@ impl Target {
             if let Some(number) = quad.shell {
                 self.touched[number] = false;
             }
-            if Self::far(
-                object,
-                projectile,
-                vector(&state.at, quad.corners[0]),
-                quad.size,
-            ) {
+            if Self::far(object, projectile, vector(&state.at, quad.corners[0]), quad.size) {
                 continue;
             }
             touch.quads += 1;
@@ -247,11 +236,7 @@ impl Target {
                 let closing = projectile.speed[0].dot(&normal) - speed;
                 let slope = object.surface.steepest(gap, pressed.slope, closing);
                 let (left, change) = object.surface.hysteresis(object.speed, closing);
-                let damping = if gap > 0.0 {
-                    change * pressed.traction
-                } else {
-                    0.0
-                };
+                let damping = if gap > 0.0 { change * pressed.traction } else { 0.0 };
                 whole_slope += area * slope;
                 whole_damping += area * damping;
                 for (node, share) in quad.corners.into_iter().zip(shares) {

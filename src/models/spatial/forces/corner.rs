@@ -62,16 +62,8 @@ fn slope_of_its_own<M: Math>(
     c2: Three<M::N>,
     c4: Three<M::N>,
 ) -> Three<M::N> {
-    let first = if (n & 1 == 0) == (n >> 1 & 1 == 0) {
-        plus(c1, c2)
-    } else {
-        minus(c1, c2)
-    };
-    if (n & 1 == 0) == (n >> 2 & 1 == 0) {
-        plus(first, c4)
-    } else {
-        minus(first, c4)
-    }
+    let first = if (n & 1 == 0) == (n >> 1 & 1 == 0) { plus(c1, c2) } else { minus(c1, c2) };
+    if (n & 1 == 0) == (n >> 2 & 1 == 0) { plus(first, c4) } else { minus(first, c4) }
 }
 
 /// What they do with the corners at `p` and of velocities `v`, in a cell that expands at some rate
@@ -143,14 +135,6 @@ pub(crate) fn respond<M: Math>(
     at!(6);
     at!(7);
     let frequency = m.root(c.get(m, field::CORNER_SPEED) * sixth * stiffest);
-    let rate = m.most(
-        m.number(0.5) * frequency,
-        -(shrinking * m.number(1.0 / LOSS_IN_STEP)),
-    );
-    Corners {
-        back,
-        loss,
-        rate,
-        least,
-    }
+    let rate = m.most(m.number(0.5) * frequency, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
+    Corners { back, loss, rate, least }
 }

@@ -79,10 +79,7 @@ fn bent<M: Math>(
     let (tc, td) = (dot(to_c, e) * inverse_square, dot(to_d, e) * inverse_square);
     let on_a = plus(times(on_c, tc - one), times(on_d, td - one));
     let on_b = minus([m.number(0.0); 3], plus(times(on_c, tc), times(on_d, td)));
-    Bent {
-        f,
-        slopes: [on_a, on_b, on_c, on_d],
-    }
+    Bent { f, slopes: [on_a, on_b, on_c, on_d] }
 }
 
 impl Hinges {
@@ -93,10 +90,7 @@ impl Hinges {
         for (number, quad) in eye.quads.iter().enumerate() {
             for i in 0..4 {
                 let (a, b) = (quad.corners[i], quad.corners[(i + 1) % 4]);
-                sides
-                    .entry([a.min(b), a.max(b)])
-                    .or_default()
-                    .push((number, i));
+                sides.entry([a.min(b), a.max(b)]).or_default().push((number, i));
             }
         }
         let bending = |quad: usize| {
@@ -140,19 +134,13 @@ impl Hinges {
                 }),
                 sign: std::array::from_fn(|lane| of(lane).sign),
                 stiffness: std::array::from_fn(|lane| {
-                    if lane < hinges.len() {
-                        of(lane).stiffness
-                    } else {
-                        0.0
-                    }
+                    if lane < hinges.len() { of(lane).stiffness } else { 0.0 }
                 }),
                 rest: std::array::from_fn(|lane| of(lane).rest),
                 present: hinges.len(),
             }
         });
-        Self {
-            groups: groups.collect(),
-        }
+        Self { groups: groups.collect() }
     }
 
     /// Adds their forces to those of nodes; returns what they store, J.

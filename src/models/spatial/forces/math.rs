@@ -171,9 +171,5 @@ pub(crate) fn cross<N: Copy + Sub<Output = N> + Mul<Output = N>>(
     a: Three<N>,
     b: Three<N>,
 ) -> Three<N> {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

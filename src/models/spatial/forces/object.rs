@@ -42,11 +42,7 @@ impl Aim {
         let way = self.way();
         let aside = towards(self.towards);
         let across = aside - way * way.dot(&aside);
-        if across.norm() > 0.0 {
-            across.normalize() * self.offset
-        } else {
-            Vector::zeros()
-        }
+        if across.norm() > 0.0 { across.normalize() * self.offset } else { Vector::zeros() }
     }
 
     /// How far from the middle its line lies out of the plane of its way and the eye's axis, m.
@@ -61,20 +57,12 @@ impl Aim {
 
     /// The azimuth of the plane that the blow is symmetric to, if there is one.
     pub fn plane(&self) -> f64 {
-        if self.angle == 0.0 && self.offset != 0.0 {
-            self.towards
-        } else {
-            self.from
-        }
+        if self.angle == 0.0 && self.offset != 0.0 { self.towards } else { self.from }
     }
 
     /// This as seen in axes turned so that azimuth `by` is up.
     pub(crate) fn turned(&self, by: f64) -> Self {
-        Self {
-            from: self.from - by,
-            towards: self.towards - by,
-            ..*self
-        }
+        Self { from: self.from - by, towards: self.towards - by, ..*self }
     }
 }
 
@@ -106,11 +94,7 @@ impl MovingObject {
             let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
             (law, spring.restitution * spring.restitution)
         });
-        let surface = if spring.is_some() {
-            SURFACE_SHARE * object.mass
-        } else {
-            object.mass
-        };
+        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
         Self {
             at: [at; 2],
             speed: [way * object.speed; 2],
@@ -132,18 +116,11 @@ impl MovingObject {
         };
         let apart = self.at[1] - self.at[0];
         let squeeze = apart.norm();
-        let along = if squeeze > 0.0 {
-            apart / squeeze
-        } else {
-            self.way
-        };
+        let along = if squeeze > 0.0 { apart / squeeze } else { self.way };
         let squeezed = law.at(squeeze);
         let closing = (self.speed[1] - self.speed[0]).dot(&along);
         let (left, slope) = hysteresis(kept, self.arrival, closing);
-        self.force = [
-            along * (squeezed.force * left),
-            along * (-squeezed.force * left),
-        ];
+        self.force = [along * (squeezed.force * left), along * (-squeezed.force * left)];
         let lossy = along * (squeezed.force * (left - 1.0));
         self.lossy = [lossy, -lossy];
         // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
@@ -183,8 +160,7 @@ impl MovingObject {
     /// How far in front of where it is its surface may yet swing, m.
     pub fn swing(&self) -> f64 {
         let apart = (self.speed[1] - self.speed[0]).norm();
-        self.spring
-            .map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
     }
 
     /// kg m/s.
@@ -242,10 +218,7 @@ mod tests {
     #[test]
     fn an_object_touches_where_its_depth_begins() {
         use crate::models::axisymmetric::forces::object::ObjectSurface;
-        for outline in [
-            ObjectOutline::Sphere(5e-3),
-            ObjectOutline::Cylinder(5e-3, 1e-3),
-        ] {
+        for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
             let object = Object {
                 outline,
                 mass: 1e-3,
@@ -266,12 +239,7 @@ mod tests {
 
     #[test]
     fn an_aim_says_where_it_comes_from_and_by_what_it_passes() {
-        let aim = Aim {
-            angle: 0.5,
-            from: 1.0,
-            offset: 2e-3,
-            towards: 2.0,
-        };
+        let aim = Aim { angle: 0.5, from: 1.0, offset: 2e-3, towards: 2.0 };
         let way = aim.way();
         assert!((way.norm() - 1.0).abs() < 1e-12 && way.dot(&towards(1.0)) < 0.0);
         assert!(aim.passes().dot(&way).abs() < 1e-12);

@@ -1,11 +1,9 @@
 //! The cells one by one: the tested reference of [`super::rows`] and the baseline of its speed.
 
 use crate::models::axisymmetric::forces::state::CellSums;
-use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
-use crate::models::spatial::forces::math::Plain;
 use crate::models::spatial::forces::state::{Cells, NodeState};
-use crate::models::spatial::recording::sensor;
+use crate::models::spatial::{eye::SpatialEye, forces::math::Plain, recording::sensor};
 
 /// Cells with lists of corners.
 #[derive(Debug, Clone)]
@@ -39,10 +37,7 @@ impl PlainCells {
     pub fn new(eye: &SpatialEye) -> Self {
         let corners = eye.cells.iter().map(|cell| cell.corners);
         let cells: Vec<_> = constants(eye).into_iter().zip(corners).collect();
-        Self {
-            pressures: vec![0.0; cells.len()],
-            cells,
-        }
+        Self { pressures: vec![0.0; cells.len()], cells }
     }
 
     /// Elastic energy of what is computed, J.
@@ -71,10 +66,7 @@ impl Cells for PlainCells {
         };
         let mut rate = 0.0_f64;
         for ((c, corners), pressure) in self.cells.iter().zip(&mut self.pressures) {
-            let (at, speed) = (
-                gathered(&state.at, corners),
-                gathered(&state.speed, corners),
-            );
+            let (at, speed) = (gathered(&state.at, corners), gathered(&state.speed, corners));
             let response = cell::respond(Plain, Fields::of(c), &at, &speed);
             for (&node, force) in corners.iter().zip(response.force) {
                 for (sum, force) in state.force.iter_mut().zip(force) {

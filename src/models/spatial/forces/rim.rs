@@ -18,8 +18,7 @@
 //! wider.
 
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::orbit::RimSphere;
+use crate::models::spatial::eye::{SpatialEye, orbit::RimSphere};
 use crate::models::spatial::forces::object::{MovingObject, touches};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -54,12 +53,7 @@ pub(crate) struct Push {
 
 impl Push {
     fn none() -> Self {
-        Self {
-            force: Vector3::zeros(),
-            energy: 0.0,
-            limit: f64::INFINITY,
-            used_up: 0.0,
-        }
+        Self { force: Vector3::zeros(), energy: 0.0, limit: f64::INFINITY, used_up: 0.0 }
     }
 }
 
@@ -170,10 +164,7 @@ impl Rim {
         let radius = object.outline.radius();
         let of_depth = |depth: f64| {
             let pressed = object.surface.at(depth);
-            (
-                TAU * radius * pressed.energy,
-                TAU * radius * pressed.traction,
-            )
+            (TAU * radius * pressed.energy, TAU * radius * pressed.traction)
         };
         let mut slope = TAU * radius * object.surface.at(object.near()).traction;
         if sum > 0.0 {
@@ -190,11 +181,8 @@ impl Rim {
             let middle = |i: usize| of_depth((i as f64 + 0.5) * part).0;
             push.energy = (0..POINTS).map(middle).sum::<f64>() * part;
             push.used_up = object.surface.used_up(depth);
-            let soon = TAU
-                * radius
-                * object
-                    .surface
-                    .steepest(depth, stiffness / TAU / radius, closing);
+            let soon =
+                TAU * radius * object.surface.steepest(depth, stiffness / TAU / radius, closing);
             slope = slope.max(soon) + f64::from(POWER) * flat / depth;
             let damped = projectile.mass[0] / (flat * change).max(f64::MIN_POSITIVE);
             push.limit = COURANT * damped;

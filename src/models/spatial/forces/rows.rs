@@ -14,12 +14,10 @@
 use crate::models::axisymmetric::forces::state::{CellSums, Totals};
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::point::Nodes;
 use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
 use crate::models::spatial::forces::math::{Math, Wide};
-use crate::models::spatial::forces::plain;
 use crate::models::spatial::forces::state::{Cells, NodeState};
+use crate::models::spatial::{eye::SpatialEye, eye::point::Nodes, forces::plain};
 use fearless_simd::{Level, Simd, dispatch};
 
 /// The nodes of a corner of eight cells.
@@ -146,37 +144,19 @@ fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellS
         for lane in (0..LANES).step_by(<Wide<S> as Math>::WIDTH) {
             let p = read(m, group, lane, &state.at, &at);
             let v = read(m, group, lane, &state.speed, &speed);
-            let fields = Fields {
-                of: constants,
-                stride: LANES,
-                lane,
-            };
+            let fields = Fields { of: constants, stride: LANES, lane };
             let response = cell::respond(m, fields, &p, &v);
             for corner in 0..8 {
                 for k in 0..3 {
                     m.store(response.force[corner][k], &mut on.0[corner][k], lane);
                 }
             }
-            m.store(
-                response.pressure,
-                &mut rows.pressures,
-                number * LANES + lane,
-            );
+            m.store(response.pressure, &mut rows.pressures, number * LANES + lane);
             let weighted = |f: usize| fields.get(m, f);
-            add(
-                m,
-                &mut totals.loss,
-                lane,
-                weighted(field::PRESENT) * response.loss,
-            );
+            add(m, &mut totals.loss, lane, weighted(field::PRESENT) * response.loss);
             let pressure = response.pressure;
             add(m, &mut totals.mean, lane, weighted(field::MEAN) * pressure);
-            add(
-                m,
-                &mut totals.sensor,
-                lane,
-                weighted(field::SENSOR) * pressure,
-            );
+            add(m, &mut totals.sensor, lane, weighted(field::SENSOR) * pressure);
             let volume = weighted(field::GLOBE) * response.volume;
             add(m, &mut totals.volume, lane, volume);
             let rate = m.most(m.load(&totals.rate, lane), response.rate);

@@ -82,11 +82,7 @@ fn directions(at: Vector3<f64>, edges: [Vector3<f64>; 2]) -> [Vector3<f64>; 2] {
     let back = Vector3::x();
     let along = back - at * (back.dot(&at) / at.norm_squared());
     let along = along - normal * normal.dot(&along);
-    let along = if along.norm() > 1e-9 {
-        along.normalize()
-    } else {
-        edges[0].normalize()
-    };
+    let along = if along.norm() > 1e-9 { along.normalize() } else { edges[0].normalize() };
     [along, normal.cross(&along)]
 }
 
@@ -95,22 +91,14 @@ fn rest(at: Vector3<f64>, edges: [Vector3<f64>; 2]) -> [f64; 4] {
     let to = directions(at, edges);
     let of = Matrix2::from_fn(|row, column| to[row].dot(&edges[column]));
     let inverse = of.try_inverse().unwrap_or_else(Matrix2::identity);
-    [
-        inverse[(0, 0)],
-        inverse[(0, 1)],
-        inverse[(1, 0)],
-        inverse[(1, 1)],
-    ]
+    [inverse[(0, 0)], inverse[(0, 1)], inverse[(1, 0)], inverse[(1, 1)]]
 }
 
 /// Edges of the middle of a quad and of its corners, from its nodes in order.
 fn edges(p: [Vector3<f64>; 4]) -> [[Vector3<f64>; 2]; 5] {
     let corner = |i: usize| [p[(i + 1) % 4] - p[i], p[(i + 3) % 4] - p[i]];
     [
-        [
-            (p[1] + p[2] - p[0] - p[3]) * 0.5,
-            (p[2] + p[3] - p[0] - p[1]) * 0.5,
-        ],
+        [(p[1] + p[2] - p[0] - p[3]) * 0.5, (p[2] + p[3] - p[0] - p[1]) * 0.5],
         corner(0),
         corner(1),
         corner(2),

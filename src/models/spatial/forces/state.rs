@@ -1,8 +1,7 @@
 //! Positions, velocities and forces of the nodes, and what moves them.
 
 use crate::models::axisymmetric::forces::state::CellSums;
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::point::Nodes;
+use crate::models::spatial::eye::{SpatialEye, point::Nodes};
 use nalgebra::Vector3;
 
 /// The nodes of the moving eye. Positions belong to full steps, velocities to half steps.

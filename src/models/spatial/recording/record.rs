@@ -3,9 +3,8 @@
 
 use crate::models::axisymmetric::recording::account::{Account, Flight, NODE_MASS, Recorded};
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
-use crate::models::spatial::eye::mesh::Place;
-use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::time::run::{Instant, Motion};
+use crate::models::spatial::{eye::mesh::Place, recording::section::Section};
 use crate::run::kept::{Frame, FrontFrame};
 use crate::run::places::Region;
 use nalgebra::{Point2, Vector3};
@@ -91,9 +90,7 @@ impl Recorded for Motion<'_> {
                 (Point2::new(middle.x, across), part)
             },
         );
-        let accelerations = self
-            .accelerometers
-            .read(&self.state.speed, time - 0.5 * step);
+        let accelerations = self.accelerometers.read(&self.state.speed, time - 0.5 * step);
         self.account.read_nodes(accelerations, time)
     }
 
@@ -131,8 +128,7 @@ impl Recorded for Motion<'_> {
             velocity: moving.velocity().dot(&self.way),
         };
         let (forces, tissue) = ((now.force, node_force), self.tissues.now);
-        self.account
-            .trace(time, forces, &shape, tissue, Some(flight));
+        self.account.trace(time, forces, &shape, tissue, Some(flight));
     }
 
     fn frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
@@ -151,8 +147,7 @@ impl Recorded for Motion<'_> {
 
 impl Motion<'_> {
     fn read_shape(&mut self, time: f64) {
-        self.account
-            .read_shape(&self.shapes.read(&self.state.at), time);
+        self.account.read_shape(&self.shapes.read(&self.state.at), time);
     }
 
     /// The energy of an eye that nothing holds as it flies as a whole, J, where forces act for
@@ -186,9 +181,7 @@ impl Motion<'_> {
 
     fn velocities(&self, section: &Section) -> Vec<Vector3<f64>> {
         let points = section.points.iter();
-        points
-            .map(|shown| shown.point.of(&self.state.speed))
-            .collect()
+        points.map(|shown| shown.point.of(&self.state.speed)).collect()
     }
 
     /// The section at `due`, `back` s before now.
@@ -208,11 +201,7 @@ impl Motion<'_> {
                 .map(|(shown, speed)| position(shown.point.of(&self.state.at), *speed))
                 .collect(),
             forces: forces.collect(),
-            cells: section
-                .cells
-                .iter()
-                .map(|(_, cell)| pressures[*cell])
-                .collect(),
+            cells: section.cells.iter().map(|(_, cell)| pressures[*cell]).collect(),
             projectile: Some(position(moving.middle(), moving.velocity())),
             squeezed: moving.squeezed(),
             pressure: Some(self.account.pressure()),
@@ -229,11 +218,7 @@ impl Motion<'_> {
             points.collect()
         });
         let moving = &self.flying.moving;
-        FrontFrame {
-            limbus,
-            equator,
-            object: seen(moving.middle(), moving.velocity()),
-        }
+        FrontFrame { limbus, equator, object: seen(moving.middle(), moving.velocity()) }
     }
 }
 

@@ -6,13 +6,10 @@
 //! lies flat.
 
 use crate::models::axisymmetric::eye::mesh::{self as plane_mesh, Layers};
-use crate::models::spatial::eye::SpatialEye;
-use crate::models::spatial::eye::mesh::Place;
 use crate::models::spatial::eye::orbit::{Cavity, Orbit, Round};
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::forces::object::towards;
-use crate::models::spatial::recording::sensor::monitored;
-use crate::models::spatial::time::run::SpatialBlow;
+use crate::models::spatial::{eye::SpatialEye, eye::mesh::Place, forces::object::towards};
+use crate::models::spatial::{recording::sensor::monitored, time::run::SpatialBlow};
 use crate::run::places::Region;
 use crate::scenario::direction::upper;
 use nalgebra::{Point2, Vector3};
@@ -115,11 +112,7 @@ impl Section {
 
     fn put(&mut self, nodes: &Nodes, point: Point, region: Region) -> usize {
         let rest = self.shown(point.of(nodes));
-        self.points.push(Shown {
-            point,
-            rest,
-            region,
-        });
+        self.points.push(Shown { point, rest, region });
         self.points.len() - 1
     }
 
@@ -139,9 +132,7 @@ impl Section {
                 (eye.on_shell(place), region)
             } else {
                 let found = eye.at(place * INSIDE, Some(Place::Globe));
-                let lens = found
-                    .as_ref()
-                    .is_some_and(|(_, cell)| eye.cells[*cell].lens > 0.5);
+                let lens = found.as_ref().is_some_and(|(_, cell)| eye.cells[*cell].lens > 0.5);
                 let region = if lens { Region::Lens } else { Region::Interior };
                 (found.map(|(point, _)| point), region)
             };
@@ -172,15 +163,8 @@ impl Section {
         let Some(surround) = &parameters.surround else {
             return;
         };
-        let round = Round {
-            wall: surround.wall,
-            opening: surround.opening,
-        };
-        let orbit = eye.rim.map(|rim| Orbit {
-            rim,
-            wall: surround.wall,
-            radius,
-        });
+        let round = Round { wall: surround.wall, opening: surround.opening };
+        let orbit = eye.rim.map(|rim| Orbit { rim, wall: surround.wall, radius });
         let cavity: &dyn Cavity = match &orbit {
             Some(orbit) if !orbit.rim.is_round() => orbit,
             _ => &round,
@@ -211,20 +195,14 @@ impl Section {
         }
         for rays in grid.windows(2) {
             for layer in 0..LAYERS {
-                let corners = [
-                    rays[0][layer],
-                    rays[0][layer + 1],
-                    rays[1][layer + 1],
-                    rays[1][layer],
-                ];
+                let corners =
+                    [rays[0][layer], rays[0][layer + 1], rays[1][layer + 1], rays[1][layer]];
                 let found: Vec<usize> = corners.into_iter().flatten().collect();
                 let Ok(corners) = <[usize; 4]>::try_from(found) else {
                     continue;
                 };
-                let sum: Vector3<f64> = corners
-                    .iter()
-                    .map(|i| self.points[*i].point.of(nodes))
-                    .sum();
+                let sum: Vector3<f64> =
+                    corners.iter().map(|i| self.points[*i].point.of(nodes)).sum();
                 if let Some((_, cell)) = eye.at(sum * 0.25, Some(Place::Surround)) {
                     self.cells.push((corners, cell));
                 }

@@ -7,10 +7,9 @@
 use crate::models::axisymmetric::recording::sensor::{
     SENSOR_REACH, SENSOR_X, SMOOTHING_S, Velocities,
 };
-use crate::models::spatial::eye::mesh::Place;
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::eye::{SpatialEye, within};
-use crate::models::spatial::forces::object::towards;
+use crate::models::spatial::{eye::mesh::Place, forces::object::towards};
 use nalgebra::Vector3;
 
 /// Points along each side of a cell that tell how much of it the sensor takes.
@@ -38,11 +37,7 @@ pub(crate) fn weights(eye: &SpatialEye) -> Vec<Weights> {
         let count = POINTS * POINTS * POINTS;
         let part = |i: usize| (i as f64 + 0.5) / POINTS as f64;
         let inside = |i: &usize| {
-            let s = [
-                part(i % POINTS),
-                part(i / POINTS % POINTS),
-                part(i / POINTS / POINTS),
-            ];
+            let s = [part(i % POINTS), part(i / POINTS % POINTS), part(i / POINTS / POINTS)];
             (within(p, s) - centre).norm() <= SENSOR_REACH
         };
         (0..count).filter(inside).count() as f64 / count as f64
@@ -80,12 +75,7 @@ pub(crate) fn monitored(eye: &SpatialEye, up: f64) -> [Vector3<f64>; 4] {
         let (along, across) = (-libm::cos(front), libm::sin(front));
         (Vector3::x() * along + above * across) * eye.parameters.radius
     };
-    [
-        (Vector3::x() + above) * aim,
-        on_shell(5.0),
-        on_shell(175.0),
-        on_shell(95.0),
-    ]
+    [(Vector3::x() + above) * aim, on_shell(5.0), on_shell(175.0), on_shell(95.0)]
 }
 
 /// The four monitored places and what they have been through.
@@ -101,18 +91,13 @@ impl Accelerometers {
         let [inside, shell @ ..] = monitored(eye, up);
         let [front, right, top] = shell.map(|place| eye.on_shell(place));
         let inside = eye.at(inside, Some(Place::Globe)).map(|(point, _)| point);
-        Self {
-            places: [inside, front, right, top],
-            velocities: Velocities::default(),
-        }
+        Self { places: [inside, front, right, top], velocities: Velocities::default() }
     }
 
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
     pub fn read(&mut self, speed: &Nodes, time: f64) -> [f64; 4] {
         let of = |i: usize| -> Vector3<f64> {
-            self.places[i]
-                .as_ref()
-                .map_or(Vector3::zeros(), |p| p.of(speed))
+            self.places[i].as_ref().map_or(Vector3::zeros(), |p| p.of(speed))
         };
         let change = self.velocities.change(std::array::from_fn(of), time);
         change.map(|change| change.norm() / SMOOTHING_S)

@@ -6,9 +6,8 @@
 //! is the same as there.
 
 use crate::models::axisymmetric::recording::account::Shape;
-use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::forces::object::towards;
+use crate::models::spatial::{eye::SpatialEye, forces::object::towards};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
 
@@ -58,11 +57,8 @@ impl Shapes {
             eye.on_shell(Vector3::x() * libm::cos(angle) + aside * libm::sin(angle))
         });
         let across = aside - way * way.dot(&aside);
-        let across = if across.norm() > 1e-9 {
-            across.normalize()
-        } else {
-            Vector3::x().cross(&aside)
-        };
+        let across =
+            if across.norm() > 1e-9 { across.normalize() } else { Vector3::x().cross(&aside) };
         let other = way.cross(&across);
         let directions = (0..DIRECTIONS).map(|i| {
             let angle = PI * i as f64 / DIRECTIONS as f64;
@@ -83,15 +79,9 @@ impl Shapes {
             apex: eye.on_shell(-Vector3::x()),
             poles: [eye.on_shell(-way), eye.on_shell(way)],
             meridian: meridian.collect(),
-            shell: shell
-                .into_iter()
-                .map(|node| (node, eye.mass[node]))
-                .collect(),
+            shell: shell.into_iter().map(|node| (node, eye.mass[node])).collect(),
             directions: directions.collect(),
-            lens: lens
-                .into_iter()
-                .map(|(node, m)| (node, m / total))
-                .collect(),
+            lens: lens.into_iter().map(|(node, m)| (node, m / total)).collect(),
             free: eye.parameters.surround.is_none(),
             mirrored: eye.copies() > 1.0,
             rest: Rest::default(),
@@ -173,11 +163,7 @@ impl Shapes {
     /// How the shape is now.
     pub fn read(&self, at: &Nodes) -> Shape {
         // No part of an eye that nothing holds feels how it flies as a whole.
-        let way = if self.free {
-            self.middle(at) - self.rest.middle
-        } else {
-            Vector3::zeros()
-        };
+        let way = if self.free { self.middle(at) - self.rest.middle } else { Vector3::zeros() };
         Shape {
             shortening: 1.0 - self.length(at) / self.rest.length,
             width_growth: self.width(at) / self.rest.width - 1.0,

@@ -22,11 +22,10 @@ use crate::models::axisymmetric::recording::tissue::{
     BACK_DEG, EDGE_DEG, EQUATOR_DEG, IRIS_DEG, LENS_EQUATOR,
 };
 use crate::models::spatial::eye::mesh::{Extent, Place};
-use crate::models::spatial::eye::orbit::seen_from_the_middle;
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::eye::{SpatialEye, upon};
-use crate::models::spatial::forces::object::towards;
 use crate::models::spatial::recording::results::Extremes;
+use crate::models::spatial::{eye::orbit::seen_from_the_middle, forces::object::towards};
 use crate::run::kept::Peak;
 use crate::run::sectors::{HOURS, QUADRANTS};
 use nalgebra::Vector3;
@@ -108,9 +107,7 @@ impl Tissues {
                 (from.to_radians()..=to.to_radians()).contains(&front)
             };
             let count = (POINTS * POINTS) as f64;
-            let banded = points
-                .clone()
-                .filter(|(front, _)| within(*front, EQUATOR_DEG));
+            let banded = points.clone().filter(|(front, _)| within(*front, EQUATOR_DEG));
             let share = banded.count() as f64 / count;
             let hour = |sign: f64| piece(sign * quad.seen.1 + up, 0.0, HOURS);
             if share > 0.0 {
@@ -227,11 +224,7 @@ impl Tissues {
             e.sectors.edge[hour] = e.sectors.edge[hour].max(stretch);
         }
         for (which, held) in self.held.iter_mut().enumerate() {
-            let to = if which == 0 {
-                &mut e.sectors.lens
-            } else {
-                &mut e.sectors.iris
-            };
+            let to = if which == 0 { &mut e.sectors.lens } else { &mut e.sectors.iris };
             for (hour, held) in held.iter_mut().enumerate() {
                 let apart = (held.shell.of(at) - held.lens.of(at)).norm() - held.rest;
                 let apart = apart / self.read[which];
@@ -250,9 +243,5 @@ impl Tissues {
 fn lengths(ring: &[Point], at: &Nodes) -> Vec<f64> {
     let places: Vec<Vector3<f64>> = ring.iter().map(|point| point.of(at)).collect();
     let next = places.iter().cycle().skip(1);
-    places
-        .iter()
-        .zip(next)
-        .map(|(a, b)| (b - a).norm())
-        .collect()
+    places.iter().zip(next).map(|(a, b)| (b - a).norm()).collect()
 }

@@ -4,29 +4,22 @@
 //! contact, of bone and of the object's spring.
 
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
-use crate::models::axisymmetric::forces::state::CellSums;
-use crate::models::axisymmetric::recording::account::Account;
-use crate::models::axisymmetric::recording::sensor::LowPass;
-use crate::models::axisymmetric::time::due::FramesDue;
 use crate::models::axisymmetric::time::march::{
     Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
 };
-use crate::models::axisymmetric::time::run::slowest_swing;
-use crate::models::axisymmetric::time::until::Until;
+use crate::models::axisymmetric::time::{run::slowest_swing, until::Until};
+use crate::models::axisymmetric::{forces::state::CellSums, recording::account::Account};
+use crate::models::axisymmetric::{recording::sensor::LowPass, time::due::FramesDue};
 use crate::models::spatial::eye::{ShellQuad, SpatialEye};
 use crate::models::spatial::forces::bone::{Bone, Held};
 use crate::models::spatial::forces::contact::{Target, Touch, depth};
 use crate::models::spatial::forces::object::{Aim, MovingObject, touches};
-use crate::models::spatial::forces::plain::PlainCells;
 use crate::models::spatial::forces::rim::{Push, Rim};
-use crate::models::spatial::forces::rows::CellRows;
-use crate::models::spatial::forces::shell::Shell;
 use crate::models::spatial::forces::state::{Cells, NodeState, vector};
+use crate::models::spatial::forces::{plain::PlainCells, rows::CellRows, shell::Shell};
 use crate::models::spatial::recording::results::{EngineRun, Extremes};
-use crate::models::spatial::recording::section::Section;
-use crate::models::spatial::recording::sensor::Accelerometers;
-use crate::models::spatial::recording::shape::Shapes;
 use crate::models::spatial::recording::tissue::Tissues;
+use crate::models::spatial::recording::{section::Section, sensor::Accelerometers, shape::Shapes};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::watch::{Watch, unwatched};
 use nalgebra::Vector3;
@@ -106,10 +99,7 @@ pub fn run_through(
     spacing: Spacing,
     take: Take,
 ) -> Result<(), Stop> {
-    let keep = Keep {
-        traces: false,
-        frames: Some(spacing),
-    };
+    let keep = Keep { traces: false, frames: Some(spacing) };
     let motion = Motion::new(eye, CellLoop::Rows, blow, keep, window.into());
     let run = motion.march(steps.into(), &mut unwatched, Some(take));
     run.map(|_| ())
@@ -196,9 +186,7 @@ impl<'a> Motion<'a> {
         let radius = eye.parameters.radius;
         let line = (way, passes);
         let globe = touches(object.outline, line, Vector3::zeros(), radius);
-        let bone = rim
-            .as_ref()
-            .and_then(|rim| rim.first_touch(object.outline, line));
+        let bone = rim.as_ref().and_then(|rim| rim.first_touch(object.outline, line));
         let ahead = target.first_touch(object.outline, line);
         let start = [globe, bone, ahead].into_iter().flatten().reduce(f64::min);
         let start = start.unwrap_or(-radius - object.reach());
@@ -310,22 +298,11 @@ impl Marching for Motion<'_> {
         }
         let held = self.bone.as_ref().map(|bone| bone.forces(&mut self.state));
         limit = held.map_or(limit, |held| limit.min(held.limit));
-        Instant {
-            sums,
-            shell,
-            force: touch.force.dot(&self.way),
-            touch,
-            push,
-            held,
-            limit,
-        }
+        Instant { sums, shell, force: touch.force.dot(&self.way), touch, push, held, limit }
     }
 
     fn bounds(now: &Instant) -> Bounds {
-        Bounds {
-            all: now.limit,
-            cells: now.sums.limit,
-        }
+        Bounds { all: now.limit, cells: now.sums.limit }
     }
 
     fn over(&self, _time: f64) -> bool {
@@ -355,9 +332,7 @@ impl Marching for Motion<'_> {
         }
         // The shell closes around what lies within it, and around nothing else.
         let seen = |quad: &ShellQuad| {
-            let p = quad
-                .corners
-                .map(|node| vector(&self.state.at, node) - centre);
+            let p = quad.corners.map(|node| vector(&self.state.at, node) - centre);
             solid_angle(p[0], p[1], p[2]) + solid_angle(p[0], p[2], p[3])
         };
         let around: f64 = self.eye.quads.iter().map(seen).sum();
@@ -397,10 +372,7 @@ impl Marching for Motion<'_> {
             };
         }
         EngineRun {
-            extremes: Extremes {
-                common: self.account.extremes,
-                ..extremes
-            },
+            extremes: Extremes { common: self.account.extremes, ..extremes },
             traces: self.account.keep.traces.then_some(self.account.traces),
             frames: self.account.frames,
             energy: self.account.energy,

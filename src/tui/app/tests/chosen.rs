@@ -2,9 +2,7 @@
 
 use super::*;
 use crate::tui::app::tables::{clash, open_to_choice};
-use crate::tui::keys::Key;
-use crate::tui::keys::chosen::Keys;
-use crate::tui::keys::press::Press;
+use crate::tui::keys::{Key, chosen::Keys, press::Press};
 
 fn binding(name: &str) -> &'static Key {
     open_to_choice().find(|b| b.name == name).unwrap()
@@ -26,9 +24,7 @@ fn every_key_reads_back_from_how_it_is_written() {
         let presses = list.keys.iter().flat_map(|key| key.presses);
         presses.for_each(named);
     }
-    for wrong in [
-        "", "Ctrl-", "Hyper-x", "F13", "F0", "xy", "Ctrl-i", "Shift-a",
-    ] {
+    for wrong in ["", "Ctrl-", "Hyper-x", "F13", "F0", "xy", "Ctrl-i", "Shift-a"] {
         assert!(Press::read(wrong).is_err(), "{wrong}");
     }
 }
@@ -46,25 +42,16 @@ fn names_differ() {
 fn a_key_that_is_taken_is_refused_by_the_name_of_what_has_it() {
     assert_eq!(chosen("undo", "Ctrl-X"), None);
     assert_eq!(chosen("undo", "u"), None);
-    assert_eq!(
-        chosen("undo", "s").unwrap(),
-        "`save` (save as a preset of your own)"
-    );
+    assert_eq!(chosen("undo", "s").unwrap(), "`save` (save as a preset of your own)");
     assert!(chosen("undo", "Ctrl-C").unwrap().contains("leave at once"));
-    assert!(
-        chosen("undo", "a")
-            .unwrap()
-            .contains("advanced fields\" (Form)")
-    );
+    assert!(chosen("undo", "a").unwrap().contains("advanced fields\" (Form)"));
     assert!(chosen("undo", "3").unwrap().starts_with("`forces`"));
 }
 
 #[test]
 fn a_chosen_key_does_it_and_is_shown_and_the_usual_one_no_longer() {
     let mut app = opened();
-    app.model
-        .keys
-        .choose(binding("help"), vec![Press::read("Ctrl-X").unwrap()]);
+    app.model.keys.choose(binding("help"), vec![Press::read("Ctrl-X").unwrap()]);
     letter(&mut app, '?');
     assert!(app.model.overlay.is_none());
     assert!(footer_keys(&app).contains(&("Ctrl-X".to_owned(), "keys")));

@@ -3,8 +3,7 @@
 use super::*;
 use crate::scenario::Scenario;
 use crate::tui::ensemble::{FEW, MANY, RunSamples};
-use crate::tui::screens::doubt::Doubt;
-use crate::tui::simulation::Complete;
+use crate::tui::{screens::doubt::Doubt, simulation::Complete};
 
 fn sampled(effects: &[Effect]) -> Option<(u64, RunSamples)> {
     asked::<RunSamples>(effects).map(|(ticket, question)| (ticket, question.clone()))
@@ -31,10 +30,7 @@ fn tell(
     count: u32,
     over: bool,
 ) -> Vec<Effect> {
-    let small = RunSamples {
-        count,
-        ..question.clone()
-    };
+    let small = RunSamples { count, ..question.clone() };
     let mut outcome = small.answer(&mut unwatched).unwrap();
     outcome.asked = question.count;
     if over {
@@ -51,16 +47,10 @@ fn the_band_comes_when_idle_and_an_edit_stops_it() {
     let scenario = app.model.work.scenario.clone();
     assert!(app.model.ensemble.of(&scenario).is_none());
     tell(&mut app, &asked, 8, false);
-    assert!(
-        app.model.ensemble.of(&scenario).is_none(),
-        "too few to be shown"
-    );
+    assert!(app.model.ensemble.of(&scenario).is_none(), "too few to be shown");
     tell(&mut app, &asked, 16, false);
     assert!(app.model.ensemble.of(&scenario).is_some());
-    let renamed = Scenario {
-        name: "other".to_owned(),
-        ..scenario
-    };
+    let renamed = Scenario { name: "other".to_owned(), ..scenario };
     assert!(app.model.ensemble.of(&renamed).is_some());
 
     let (mut app, asked) = idle_model();
@@ -126,9 +116,5 @@ fn leaving_the_screen_stops_it_and_results_can_be_walked_through() {
     assert_eq!(app.state::<Doubt>().row, last - 1);
     app.model.work.scenario.window_ms = Some(0.3);
     letter(&mut app, 'k');
-    assert_eq!(
-        app.state::<Doubt>().row,
-        last - 1,
-        "nothing to walk through"
-    );
+    assert_eq!(app.state::<Doubt>().row, last - 1, "nothing to walk through");
 }

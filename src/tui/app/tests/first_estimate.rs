@@ -1,18 +1,15 @@
 //! What is on show while the eye in three dimensions is computed.
 
 use super::*;
-use crate::scenario::Geometry;
-use crate::scenario::set::set;
+use crate::scenario::{Geometry, set::set};
 
 #[test]
 fn a_blow_from_the_side_shows_a_first_estimate_that_is_named_until_the_answer_comes() {
     let mut app = opened();
     let mut scenario = find("bb-62").unwrap().scenario().unwrap();
-    for (field, value) in [
-        ("impact.angle_deg", "40"),
-        ("impact.offset_mm", "2"),
-        ("window_ms", "0.05"),
-    ] {
+    for (field, value) in
+        [("impact.angle_deg", "40"), ("impact.offset_mm", "2"), ("window_ms", "0.05")]
+    {
         set(&mut scenario, field, value).unwrap();
     }
     app.model.work.scenario = scenario;

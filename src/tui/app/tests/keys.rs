@@ -1,8 +1,7 @@
 //! That no key means two things, and that every place can be left.
 
 use super::*;
-use crate::tui::keys::begins_value;
-use crate::tui::picker::Picker;
+use crate::tui::{keys::begins_value, picker::Picker};
 
 /// A model for every pane, one on a row that takes numbers, and one for every overlay.
 fn every_place() -> Vec<App> {

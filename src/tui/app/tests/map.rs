@@ -60,10 +60,7 @@ fn every_result_that_the_scene_has_comes_in_turn_and_nothing_is_simulated_for_it
     };
     let first = shown(&app);
     assert_eq!(first, Quantity::GlobeRupture, "a risk, where there is one");
-    let all = Quantity::ALL
-        .iter()
-        .copied()
-        .filter(|q| *q != Quantity::Pressure);
+    let all = Quantity::ALL.iter().copied().filter(|q| *q != Quantity::Pressure);
     let before = all.clone().take_while(|q| *q != first);
     let order = all.clone().skip_while(|q| *q != first).chain(before);
     for quantity in order.chain([first]) {

@@ -8,12 +8,7 @@ use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 const SIZE: (u16, u16) = (80, 24);
 
 fn does(app: &mut App, kind: MouseEventKind, at: (u16, u16)) -> Vec<Effect> {
-    let event = MouseEvent {
-        kind,
-        column: at.0,
-        row: at.1,
-        modifiers: KeyModifiers::NONE,
-    };
+    let event = MouseEvent { kind, column: at.0, row: at.1, modifiers: KeyModifiers::NONE };
     update(app, Message::Mouse(event, SIZE))
 }
 
@@ -89,10 +84,7 @@ fn a_click_on_its_name_shows_a_screen_or_a_pane() {
     assert_eq!(app.on_show().pane(), 1);
     does(&mut app, Down(Left), (2, 1));
     does(&mut app, Down(Left), (8, 4));
-    assert_eq!(
-        (app.on_show().pane(), app.state::<Comparison>().row),
-        (0, 2)
-    );
+    assert_eq!((app.on_show().pane(), app.state::<Comparison>().row), (0, 2));
     assert!(app.state::<Comparison>().entries.is_empty());
     does(&mut app, Down(Left), (8, 4));
     assert_eq!(app.state::<Comparison>().entries.len(), 1);

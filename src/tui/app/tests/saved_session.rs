@@ -18,12 +18,9 @@ fn what_is_written_reads_back_with_its_changes() {
 #[test]
 fn a_damaged_file_is_explained() {
     let whole = SavedSession::of(&opened()).text().unwrap();
-    for damaged in [
-        "",
-        "(",
-        &whole[..whole.len() / 2],
-        &whole.replace("None", "Some(\"(name: 1)\")"),
-    ] {
+    for damaged in
+        ["", "(", &whole[..whole.len() / 2], &whole.replace("None", "Some(\"(name: 1)\")")]
+    {
         assert!(SavedSession::read(damaged).is_err(), "{damaged}");
     }
     // A screen that is no more is no reason to lose the work.

@@ -22,16 +22,12 @@ fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
     let page = question.answer(&mut unwatched);
     let effects = done::<WritePage>(&mut app, ticket, page);
     assert_eq!(writing(&app.model.page), None);
-    let Some(Effect::Page(stem, text)) = effects.first() else {
-        panic!("{effects:?}")
-    };
+    let Some(Effect::Page(stem, text)) = effects.first() else { panic!("{effects:?}") };
     let text = String::from_utf8(text.clone()).unwrap();
     assert_eq!(stem, "paper-300n");
     assert!(text.contains("contrecoup report paper-300n -o paper-300n.html"));
     let effects = letter(&mut app, 'y');
-    let [Effect::Copy(text)] = &effects[..] else {
-        panic!("{effects:?}")
-    };
+    let [Effect::Copy(text)] = &effects[..] else { panic!("{effects:?}") };
     assert!(text.ends_with("contrecoup run paper-300n\n"), "{text}");
 }
 

@@ -50,9 +50,7 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     let speed: f64 = asking(&app).taken().unwrap().parse().unwrap();
     assert!((40.0..80.0).contains(&speed), "{speed}");
     key(&mut app, KeyCode::Enter);
-    let speed_now = fields::find("impact.speed_m_s")
-        .unwrap()
-        .text(&app.model.work.scenario);
+    let speed_now = fields::find("impact.speed_m_s").unwrap().text(&app.model.work.scenario);
     assert_eq!(speed_now.unwrap().parse(), Ok(speed));
     letter(&mut app, 'u');
     let before = find("bb-56").unwrap().scenario().unwrap();
@@ -104,10 +102,7 @@ fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
     }
     let effects = key(&mut app, KeyCode::Enter);
     let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
-    let never = Threshold {
-        seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))],
-        crossings: Vec::new(),
-    };
+    let never = Threshold { seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))], crossings: Vec::new() };
     done::<FindThreshold>(&mut app, ticket, Ok(never));
     assert!(drawn(&app).contains("Never: "), "{}", drawn(&app));
 }

@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::scenario::{Lens, Model, Species};
-use crate::tui::form::rows;
-use crate::tui::work::Work;
+use crate::tui::{form::rows, work::Work};
 
 #[test]
 fn typing_changes_nothing_until_it_is_accepted_and_escape_restores() {
@@ -190,9 +189,7 @@ fn what_the_form_shows_can_be_typed() {
     press(&mut app, "\x1b[200~physiological\x1b[201~\r");
     app.model.form.selected = row("model.species");
     press(&mut app, "\x1b[200~pig\x1b[201~\r");
-    let Model::Physiological(parts) = &app.model.work.scenario.model else {
-        panic!()
-    };
+    let Model::Physiological(parts) = &app.model.work.scenario.model else { panic!() };
     assert_eq!(parts.species, Species::Pig);
 }
 

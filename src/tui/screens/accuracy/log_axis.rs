@@ -24,10 +24,7 @@ impl LogAxis {
             (low, high) = (0.0, 1.0);
         }
         let margin = (0.04 * (high - low)).max(0.05);
-        Self {
-            low: low - margin,
-            high: high + margin,
-        }
+        Self { low: low - margin, high: high + margin }
     }
 
     /// Where a value lies, from 0 to 1.
@@ -45,9 +42,7 @@ impl LogAxis {
             values.filter(within).collect()
         };
         let even = |count: u32| -> Vec<f64> {
-            (0..9 * count)
-                .map(|i| 1.0 + f64::from(i) / f64::from(count))
-                .collect()
+            (0..9 * count).map(|i| 1.0 + f64::from(i) / f64::from(count)).collect()
         };
         // The narrower the axis, the finer the steps.
         let sets = [vec![1.0, 2.0, 5.0], even(1), even(2), even(5), even(10)];
@@ -107,10 +102,7 @@ mod tests {
 
     #[test]
     fn an_axis_over_one_value_or_none_still_has_a_length() {
-        for axis in [
-            LogAxis::over([3.0].into_iter()),
-            LogAxis::over([0.0].into_iter()),
-        ] {
+        for axis in [LogAxis::over([3.0].into_iter()), LogAxis::over([0.0].into_iter())] {
             assert!(axis.high > axis.low && axis.share(3.0).is_finite());
         }
     }

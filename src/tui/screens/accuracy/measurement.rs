@@ -9,14 +9,10 @@ use std::time::{Duration, Instant};
 
 use crate::many::accuracy::{Accuracy, Total, cheapest, finest_tried, measure};
 use crate::report::format::{percent, significant};
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::{NumericsInput, Scenario};
-use crate::tui::ensemble;
 use crate::tui::request::{Report, TaskQuestion};
-use crate::tui::step::Step;
-use crate::tui::task::Task;
+use crate::tui::{ensemble, step::Step, task::Task};
 
 /// What there is so far is shown this often at most.
 const SHOW_EVERY: Duration = Duration::from_millis(200);
@@ -97,10 +93,7 @@ impl Measurement {
     pub fn lacking(&self, scenario: &Scenario) -> Option<MeasureAccuracy> {
         let known = self.of(scenario).cloned();
         let whole = known.as_ref().is_some_and(|known| known.done == known.all);
-        (!whole).then(|| MeasureAccuracy {
-            scenario: key(scenario),
-            known,
-        })
+        (!whole).then(|| MeasureAccuracy { scenario: key(scenario), known })
     }
 
     /// Whether what is under way belongs to this scenario.
@@ -157,11 +150,8 @@ impl Measurement {
         let shown = self.shown(scenario);
         let here = self.place(&shown);
         let fits = |at: &usize| !step.coarse || shown[*at].on_front;
-        let next = if step.up {
-            (here + 1..shown.len()).find(fits)
-        } else {
-            (0..here).rev().find(fits)
-        };
+        let next =
+            if step.up { (here + 1..shown.len()).find(fits) } else { (0..here).rev().find(fits) };
         if let Some(next) = next {
             self.cursor = Some(name(&shown[next]));
         }
@@ -196,10 +186,7 @@ impl Measurement {
             found.plan.integrator.name(),
             significant(found.step * 1e6),
         );
-        Some(Ok(Proposal {
-            scenario: adopted(scenario, found),
-            words,
-        }))
+        Some(Ok(Proposal { scenario: adopted(scenario, found), words }))
     }
 }
 
@@ -211,9 +198,7 @@ fn name(total: &Total) -> (u32, &'static str, f64) {
 fn present<'a>(scenario: &Scenario, shown: &'a [Total]) -> Option<&'a Total> {
     let own = scenario.numerics.integrator;
     let step = scenario.numerics.step_us.map(|step| step * 1e-6);
-    let there = shown
-        .iter()
-        .filter(|total| total.level == scenario.eye.level);
+    let there = shown.iter().filter(|total| total.level == scenario.eye.level);
     let far = |total: &Total| {
         let other = own.is_some_and(|own| own != total.plan.integrator);
         let off = step.map_or(0.0, |step| (total.plan.step / step).ln().abs());

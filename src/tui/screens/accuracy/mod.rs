@@ -7,15 +7,11 @@ mod view;
 
 use ratatui::layout::Rect;
 
-use crate::tui::changes::edit::adopt;
-use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
-use crate::tui::model::AppModel;
 use crate::tui::overlay::{Overlay, Prompt};
-use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::step::Step;
-use crate::tui::view::sheet::Sheet;
+use crate::tui::{changes::edit::adopt, keys::TimeKeys, model::AppModel, request::Report};
+use crate::tui::{step::Step, view::sheet::Sheet};
 use measurement::{Measurement, Proposal, adopted};
 
 pub(super) const ABOUT: About = About {

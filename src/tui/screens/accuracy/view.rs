@@ -10,14 +10,11 @@ use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
 use crate::report::format::{digits, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
-use crate::tui::model::AppModel;
 use crate::tui::screens::accuracy::log_axis::{LogAxis, tick_label};
-use crate::tui::screens::accuracy::measurement::Measurement;
-use crate::tui::view::chart::axes;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{flowed, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::view::{sheet::Sheet, theme::Theme};
+use crate::tui::{model::AppModel, screens::accuracy::measurement::Measurement, view::chart::axes};
 
 /// Room for the numbers of the error axis.
 const LABELS: u16 = 7;
@@ -27,16 +24,8 @@ const LEAST: (u16, u16) = (20, 4);
 const FLOOR: f64 = 1e-9;
 
 fn style(theme: Theme, total: &Total) -> Style {
-    let own = if theme.is_mono() {
-        theme.text()
-    } else {
-        theme.curve(total.level as usize - 1)
-    };
-    if total.on_front {
-        own.add_modifier(Modifier::BOLD)
-    } else {
-        own
-    }
+    let own = if theme.is_mono() { theme.text() } else { theme.curve(total.level as usize - 1) };
+    if total.on_front { own.add_modifier(Modifier::BOLD) } else { own }
 }
 
 /// Draws the screen.
@@ -54,11 +43,9 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
     };
     sheet.put_both((titles, theme.heading()), (&said, style));
     let room = area.width - 2;
-    let (Some(totals), Some(of), false) = (
-        accuracy.of(scenario),
-        accuracy.quantity(scenario),
-        shown.is_empty(),
-    ) else {
+    let (Some(totals), Some(of), false) =
+        (accuracy.of(scenario), accuracy.quantity(scenario), shown.is_empty())
+    else {
         let text = waiting(accuracy, model);
         let lines = wrapped(&text, usize::from(room));
         sheet.put_lines((1, 2), lines, theme.text());
@@ -97,10 +84,7 @@ fn costs(shown: &[Total]) -> String {
     let mut front: Vec<&Total> = shown.iter().filter(|total| total.on_front).collect();
     front.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let places = [0, front.len() / 2, front.len().saturating_sub(1)];
-    let mut picked: Vec<&Total> = places
-        .iter()
-        .filter_map(|at| front.get(*at).copied())
-        .collect();
+    let mut picked: Vec<&Total> = places.iter().filter_map(|at| front.get(*at).copied()).collect();
     picked.dedup_by_key(|total| total.seconds.to_bits());
     let time = |total: &Total| format!("{} ms", digits(total.seconds * 1e3, 2));
     let parts = picked.iter().enumerate().map(|(i, total)| {
@@ -175,19 +159,11 @@ fn named(shown: &[Total], here: usize) -> Vec<String> {
     vec![
         format!("▸ {} of {}", here + 1, shown.len()),
         format!("level {}", total.level),
-        format!(
-            "{} {}",
-            total.plan.integrator.method().letter,
-            total.plan.integrator.name()
-        ),
+        format!("{} {}", total.plan.integrator.method().letter, total.plan.integrator.name()),
         format!("step {} µs{automatic}", significant(total.step * 1e6)),
         format!("{} ms", significant(total.seconds * 1e3)),
         format!("error {}", percent(total.error())),
-        format!(
-            "of it mesh {}, step {}",
-            percent(total.mesh),
-            percent(total.by_step)
-        ),
+        format!("of it mesh {}, step {}", percent(total.mesh), percent(total.by_step)),
         front(shown, here),
     ]
 }
@@ -195,9 +171,7 @@ fn named(shown: &[Total], here: usize) -> Vec<String> {
 /// Whether the run under the cursor is on the front, and the tolerances that it is the cheapest
 /// for.
 fn front(shown: &[Total], here: usize) -> String {
-    let of = TOLERANCES
-        .into_iter()
-        .filter(|percent| cheapest(shown, *percent) == Some(here));
+    let of = TOLERANCES.into_iter().filter(|percent| cheapest(shown, *percent) == Some(here));
     let of: Vec<String> = of.map(|percent| format!("{percent} %")).collect();
     match (shown[here].on_front, of.is_empty()) {
         (_, false) => format!("the cheapest for {}", of.join(", ")),
@@ -226,10 +200,8 @@ fn chart(shown: &[Total], cursor: usize, sheet: &mut Sheet) {
     };
     let mut raster = Raster::new(field, theme.look.symbols);
     let (columns, rows) = raster.size();
-    let grain = (
-        f64::from(columns) / f64::from(field.width),
-        f64::from(rows) / f64::from(field.height),
-    );
+    let grain =
+        (f64::from(columns) / f64::from(field.width), f64::from(rows) / f64::from(field.height));
     let front: Vec<(f64, f64)> = shown
         .iter()
         .filter(|total| total.on_front)

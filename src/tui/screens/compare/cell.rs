@@ -17,14 +17,7 @@ pub fn cell(answer: &Answer, column: ComparisonColumn, mesh_comes: bool) -> (Str
     if let (Some(risk), Some(range)) = (risk, range(answer, quantity)) {
         let word = risk.word();
         // One of several words says no more than the range.
-        return (
-            range,
-            if word.contains(' ') {
-                String::new()
-            } else {
-                word
-            },
-        );
+        return (range, if word.contains(' ') { String::new() } else { word });
     }
     let Some(figure) = Figure::of(answer, quantity) else {
         return nothing();

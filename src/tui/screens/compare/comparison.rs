@@ -5,16 +5,11 @@ use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::{ComparisonColumn, Entry, Found, columns, order};
-use crate::run::kept::Traces;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
 use crate::run::trace::{OtherTrace, Trace};
-use crate::run::watch::Watch;
+use crate::run::{kept::Traces, quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
-use crate::tui::request::TaskQuestion;
-use crate::tui::shown::ShownAnswer;
 use crate::tui::simulation::{Complete, Completion, Simulate};
-use crate::tui::task::Task;
+use crate::tui::{request::TaskQuestion, shown::ShownAnswer, task::Task};
 
 /// The name under which the form stands in the list.
 pub const FORM: &str = "(the form)";
@@ -297,10 +292,7 @@ impl Comparison {
 
     /// The longest window of the answers, in s.
     pub fn window(&self) -> Option<f64> {
-        let windows = self
-            .entries
-            .iter()
-            .filter_map(|e| Some(e.answer()?.window()));
+        let windows = self.entries.iter().filter_map(|e| Some(e.answer()?.window()));
         windows.max_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal))
     }
 }
@@ -310,8 +302,7 @@ mod tests {
     use super::*;
     use crate::answer::solve::solve;
     use crate::injury::Injury;
-    use crate::run::kept::Keep;
-    use crate::run::watch::unwatched;
+    use crate::run::{kept::Keep, watch::unwatched};
     use crate::scenario::library;
 
     /// These presets with their answers, of so many ms where they are told.
@@ -353,19 +344,14 @@ mod tests {
     #[test]
     fn the_table_sorts_by_every_column_both_ways() {
         let mut comparison = filled();
-        let (marked, sorted) = (
-            "paper-300n paper-100n paper-600n",
-            "paper-100n paper-300n paper-600n",
-        );
+        let (marked, sorted) =
+            ("paper-300n paper-100n paper-600n", "paper-100n paper-300n paper-600n");
         assert_eq!(order(&comparison).join(" "), marked);
         comparison.sort_here();
         assert_eq!(order(&comparison).join(" "), sorted);
         let columns = comparison.columns();
         let pressure = ComparisonColumn::Result(Quantity::Pressure);
-        assert!(
-            !columns.contains(&pressure),
-            "what no scene has takes no column"
-        );
+        assert!(!columns.contains(&pressure), "what no scene has takes no column");
         for (index, column) in columns.iter().enumerate().skip(1) {
             comparison.column = index;
             comparison.sort_here();
@@ -382,10 +368,7 @@ mod tests {
 
     #[test]
     fn objects_are_compared_by_the_gravest_risk_and_stand_at_the_same_moment() {
-        let keep = Keep {
-            traces: true,
-            frames: None,
-        };
+        let keep = Keep { traces: true, frames: None };
         let mut comparison = answered(&["foam-dart", "bb-62"], keep, Some(0.5));
         let rupture = ComparisonColumn::Result(Quantity::GlobeRupture);
         assert_eq!(comparison.columns()[1], rupture);

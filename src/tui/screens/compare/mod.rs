@@ -10,24 +10,17 @@ use ratatui::layout::Rect;
 
 use crate::many::comparison::Found;
 use crate::plain_text::quoted;
-use crate::run::kept::Traces;
-use crate::run::trace::Trace;
+use crate::run::{kept::Traces, trace::Trace};
 use crate::scenario::Scenario;
 use crate::tui::changing::{Changing, began_as, called};
-use crate::tui::choices::Choice;
 use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP, c};
 use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::overlay::Overlay;
 use crate::tui::picker::{PAGE, Picker};
-use crate::tui::request::Report;
-use crate::tui::screens::forces::drawn;
-use crate::tui::screens::replay::FrameKeys;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::shown::ShownAnswer;
-use crate::tui::simulation::Complete;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::work::Work;
+use crate::tui::{choices::Choice, overlay::Overlay, request::Report, screens::forces::drawn};
+use crate::tui::{screens::replay::FrameKeys, shown::ShownAnswer, simulation::Complete};
+use crate::tui::{view::sheet::Sheet, work::Work};
 use comparison::{
     Comparison, CompleteMarked, FORM, LIST, MAX_MARKED, Marked, REPLAYS, SimulateMarked, TABLE,
 };
@@ -46,10 +39,7 @@ impl Panes for Comparison {
         Pane::new(
             view::PANES[REPLAYS],
             TimeKeys::Early,
-            &[
-                PaneKeys::new("Compare: replays", FrameKeys::ALL),
-                ALIGN_KEYS,
-            ],
+            &[PaneKeys::new("Compare: replays", FrameKeys::ALL), ALIGN_KEYS],
         ),
     ];
 }
@@ -144,20 +134,15 @@ impl Screen for Comparison {
             return;
         }
         if let Some(entry) = self.next() {
-            let question = SimulateMarked {
-                name: entry.name.clone(),
-                scenario: entry.scenario.clone(),
-            };
+            let question =
+                SimulateMarked { name: entry.name.clone(), scenario: entry.scenario.clone() };
             self.task.ask(question, &mut model.out);
             return;
         }
-        let question = self
-            .incomplete()
-            .next()
-            .map(|(entry, answer)| CompleteMarked {
-                name: entry.name.clone(),
-                rest: Complete::of(&entry.scenario, answer),
-            });
+        let question = self.incomplete().next().map(|(entry, answer)| CompleteMarked {
+            name: entry.name.clone(),
+            rest: Complete::of(&entry.scenario, answer),
+        });
         if let Some(question) = question {
             self.rest.ask(question, &mut model.out);
         }
@@ -216,11 +201,8 @@ impl Screen for Comparison {
     /// Compares it as it is now; what was not marked is marked.
     fn take_changed(&mut self, model: &mut AppModel, name: &str, scenario: &Scenario) {
         let mut choices = model.choices.iter();
-        let Some(Choice {
-            name: source,
-            scenario: Ok(original),
-            ..
-        }) = choices.find(|choice| began_as(name, &choice.name))
+        let Some(Choice { name: source, scenario: Ok(original), .. }) =
+            choices.find(|choice| began_as(name, &choice.name))
         else {
             return;
         };
@@ -291,11 +273,7 @@ impl Screen for Comparison {
             _ => None,
         });
         let marked: Vec<_> = marked.collect();
-        if marked.is_empty() {
-            model.answer()
-        } else {
-            marked
-        }
+        if marked.is_empty() { model.answer() } else { marked }
     }
 }
 
@@ -321,22 +299,13 @@ impl Comparison {
         let listed = || self.row.checked_sub(1).and_then(|at| model.choices.get(at));
         let marked = if self.pane == LIST {
             let name = listed().map_or(FORM, |choice| &choice.name);
-            self.entries
-                .iter()
-                .find(|entry| began_as(&entry.name, name))
+            self.entries.iter().find(|entry| began_as(&entry.name, name))
         } else {
             self.sorted().into_iter().nth(self.entry)
         };
         let (name, scenario) = match (marked, listed()) {
             (Some(entry), _) => (&entry.name, &entry.scenario),
-            (
-                None,
-                Some(Choice {
-                    name,
-                    scenario: Ok(scenario),
-                    ..
-                }),
-            ) => (name, scenario),
+            (None, Some(Choice { name, scenario: Ok(scenario), .. })) => (name, scenario),
             _ => return model.notice = Some("F1 edits the form".to_owned()),
         };
         if name == FORM {

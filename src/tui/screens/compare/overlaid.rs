@@ -2,11 +2,9 @@
 
 use crate::answer::solve::Answer;
 use crate::run::trace::Trace;
-use crate::tui::model::AppModel;
 use crate::tui::screens::compare::comparison::{Alignment, Comparison};
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
-use crate::tui::view::raster::Ink;
-use crate::tui::view::sheet::Sheet;
+use crate::tui::{model::AppModel, view::raster::Ink, view::sheet::Sheet};
 
 /// One curve of every entry in one chart.
 pub(super) fn overlaid(compare: &Comparison, model: &AppModel, course: Trace, sheet: &mut Sheet) {
@@ -18,10 +16,7 @@ pub(super) fn overlaid(compare: &Comparison, model: &AppModel, course: Trace, sh
         let times = answer.run.traces.as_ref()?.time.iter();
         Some(times.map(|time| time - shift).collect())
     };
-    let times = compare
-        .entries
-        .iter()
-        .map(|entry| entry.answer().and_then(shifted));
+    let times = compare.entries.iter().map(|entry| entry.answer().and_then(shifted));
     let times: Vec<_> = times.map(Option::unwrap_or_default).collect();
     let entries = compare.entries.iter().enumerate();
     let curves: Vec<TimeCurve> = entries
@@ -33,17 +28,8 @@ pub(super) fn overlaid(compare: &Comparison, model: &AppModel, course: Trace, sh
             }
             let ink = Ink::solid(theme.curve(i), 2 + i as u8, mark(i));
             // Without colours, dots of different spacing tell the curves apart.
-            let ink = if theme.is_mono() {
-                ink.dotted(1 + (i % 4) as u8)
-            } else {
-                ink
-            };
-            Some(TimeCurve {
-                time: &times[i],
-                values,
-                factor: row.factor,
-                ink,
-            })
+            let ink = if theme.is_mono() { ink.dotted(1 + (i % 4) as u8) } else { ink };
+            Some(TimeCurve { time: &times[i], values, factor: row.factor, ink })
         })
         .collect();
     let Some(window) = compare.window() else {

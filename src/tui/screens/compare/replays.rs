@@ -2,15 +2,9 @@
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::Found;
-use crate::tui::model::AppModel;
-use crate::tui::screens::compare::comparison::Comparison;
-use crate::tui::screens::compare::view::heading;
-use crate::tui::shown::ShownAnswer;
-use crate::tui::view::chart::mark;
-use crate::tui::view::eye::EyePicture;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::fitted;
-use crate::tui::work::brief;
+use crate::tui::{model::AppModel, screens::compare::comparison::Comparison};
+use crate::tui::{screens::compare::view::heading, shown::ShownAnswer, view::chart::mark};
+use crate::tui::{view::eye::EyePicture, view::sheet::Sheet, view::text::fitted, work::brief};
 
 /// Side by side, all at the same time and on the same scale of force.
 pub(super) fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {

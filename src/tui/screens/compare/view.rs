@@ -5,18 +5,12 @@ use ratatui::layout::Rect;
 use crate::answer::solve::Answer;
 use crate::many::comparison::{ComparisonColumn, Found};
 use crate::report::risks::first_line;
-use crate::tui::changing::began_as;
-use crate::tui::model::AppModel;
-use crate::tui::view::chart::mark;
-use crate::tui::view::risks::longest;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
-use crate::tui::work::brief;
+use crate::tui::{changing::began_as, model::AppModel, view::chart::mark, view::risks::longest};
+use crate::tui::{view::sheet::Sheet, work::brief};
 
-use crate::tui::screens::compare::cell::cell;
 use crate::tui::screens::compare::comparison::{Comparison, FORM, LIST, Marked, REPLAYS, TABLE};
-use crate::tui::screens::compare::overlaid::overlaid;
-use crate::tui::screens::compare::replays::replays;
+use crate::tui::screens::compare::{cell::cell, overlaid::overlaid, replays::replays};
 
 /// What the screen answers.
 pub const QUESTION: &str = "Which is worse?";
@@ -67,9 +61,7 @@ fn list_width(area: Rect) -> u16 {
 
 /// The first row of the list of presets that there is room for.
 fn first_listed(compare: &Comparison, room: u16) -> usize {
-    compare
-        .row
-        .saturating_sub(usize::from(room).saturating_sub(1))
+    compare.row.saturating_sub(usize::from(room).saturating_sub(1))
 }
 
 /// The names of the panes, and at the right how far things are, or else `text`.
@@ -276,11 +268,7 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(ComparisonColumn, u16)]), sh
         let text = longest_fitting(&texts, room as u16);
         sheet.put((3, 1), text, theme.warning());
     }
-    sheet.put(
-        (3, 2),
-        belief(answer, usize::from(area.width) - 4),
-        theme.text(),
-    );
+    sheet.put((3, 2), belief(answer, usize::from(area.width) - 4), theme.text());
 }
 
 /// What to believe of the gravest injury, in the longest words that there is room for.

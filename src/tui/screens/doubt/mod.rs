@@ -2,10 +2,7 @@
 
 mod view;
 
-use crate::tui::ensemble::MANY;
-use crate::tui::keys::TimeKeys;
-use crate::tui::model::AppModel;
-use crate::tui::view::sheet::Sheet;
+use crate::tui::{ensemble::MANY, keys::TimeKeys, model::AppModel, view::sheet::Sheet};
 
 use crate::tui::keys::press::{DOWN, UP, c};
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
@@ -24,11 +21,8 @@ pub struct Doubt {
 }
 
 impl Panes for Doubt {
-    const PANES: &'static [Pane<Self>] = &[Pane::new(
-        "outputs",
-        TimeKeys::Absent,
-        &[KEYS, STOPPED_KEYS],
-    )];
+    const PANES: &'static [Pane<Self>] =
+        &[Pane::new("outputs", TimeKeys::Absent, &[KEYS, STOPPED_KEYS])];
 }
 
 #[rustfmt::skip]

@@ -8,20 +8,15 @@ use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
 use crate::injury::Injury;
-use crate::many::bands::Band;
-use crate::many::ensemble::Ensemble;
+use crate::many::{bands::Band, ensemble::Ensemble};
 use crate::report::ensemble::{distribution, hundredths};
-use crate::report::figure::allowing;
 use crate::report::format::{digits, percent};
-use crate::report::risks::range;
+use crate::report::{figure::allowing, risks::range};
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, RunSamples, is_whole, shown_band};
-use crate::tui::model::AppModel;
-use crate::tui::shown::ShownAnswer;
-use crate::tui::task::Job;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences, wrapped};
 use crate::tui::view::theme::Theme;
+use crate::tui::{model::AppModel, shown::ShownAnswer, task::Job, view::sheet::Sheet};
 
 /// Columns of a result's name, and of each of its three numbers.
 const LABEL: u16 = 21;
@@ -195,11 +190,7 @@ fn strip(band: Band, nominal: Option<f64>, sheet: &mut Sheet) {
     let wide = high - low;
     let last = f64::from(area.width - 1);
     let place = |value: f64| {
-        let share = if wide > 0.0 {
-            (value - low) / wide
-        } else {
-            0.5
-        };
+        let share = if wide > 0.0 { (value - low) / wide } else { 0.5 };
         ((MARGIN + (1.0 - 2.0 * MARGIN) * share) * last).round() as u16
     };
     let (from, to) = (place(band.low), place(band.high));
@@ -221,10 +212,7 @@ fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
     let rows = usize::from(area.height.saturating_sub(1));
     let all = ensemble.inputs.len();
     if rows < all {
-        let texts = [
-            format!("the strongest {rows} of {all}"),
-            format!("{rows} of {all}"),
-        ];
+        let texts = [format!("the strongest {rows} of {all}"), format!("{rows} of {all}")];
         let text = longest_fitting(&texts, area.width - end - 3);
         sheet.put_right((area.width - 1, 0), text, theme.quiet());
     }
@@ -269,13 +257,10 @@ fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
         String::new()
     };
     let which = ensemble.which();
-    let mut said = vec![format!(
-        "{star}Bands of {valid} of {done} samples{asked}, {which}"
-    )];
+    let mut said = vec![format!("{star}Bands of {valid} of {done} samples{asked}, {which}")];
     let counts = ensemble.counts().into_iter();
-    let counts: Vec<String> = counts
-        .map(|(name, count)| format!("{count} {}", name.replace('_', " ")))
-        .collect();
+    let counts: Vec<String> =
+        counts.map(|(name, count)| format!("{count} {}", name.replace('_', " "))).collect();
     if !counts.is_empty() {
         said.push(format!("Flags: {}.", counts.join(", ")));
     }
@@ -284,10 +269,7 @@ fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
     };
     let wider: Vec<&str> = Injury::ALL.iter().filter(wider).map(|i| i.word()).collect();
     if !wider.is_empty() {
-        said.push(format!(
-            "Wider than the answer, so shown: {}.",
-            wider.join(", ")
-        ));
+        said.push(format!("Wider than the answer, so shown: {}.", wider.join(", ")));
     }
     let checks = ensemble.checks();
     if checks.count > 0 {

@@ -6,13 +6,9 @@ use crate::report::format::digits;
 use crate::scenario::doubt::begun;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::tui::form::{FormRow, Typing, allowed, is_unverified, rows, typed_text, unverified};
-use crate::tui::model::AppModel;
-use crate::tui::overlay::Overlay;
-use crate::tui::screens::main::pulse;
-use crate::tui::view::PURPOSE;
-use crate::tui::view::popup::input;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{fitted, width, wrapped};
+use crate::tui::view::{popup::input, sheet::Sheet};
+use crate::tui::{model::AppModel, overlay::Overlay, screens::main::pulse, view::PURPOSE};
 
 /// The places of the panes.
 pub const FORM: usize = 0;
@@ -92,10 +88,7 @@ enum Tone {
 
 /// What there is to say about the newest edit, or about the chosen field.
 fn note(model: &AppModel, pane: usize) -> (String, Tone) {
-    if let Some(Typing {
-        error: Some(why), ..
-    }) = &model.form.typing
-    {
+    if let Some(Typing { error: Some(why), .. }) = &model.form.typing {
         return (why.clone(), Tone::Error);
     }
     if let Some(why) = &model.form.complaint {
@@ -132,9 +125,7 @@ fn help(model: &AppModel, pane: usize) -> String {
         return "Turn the blow, or widen the arc it acts on".to_owned();
     }
     let typing = model.form.typing.as_ref();
-    let hint = typing
-        .and_then(doubtful)
-        .unwrap_or_else(|| described(model));
+    let hint = typing.and_then(doubtful).unwrap_or_else(|| described(model));
     match typing {
         Some(typing) if typing.input.selected => format!("Type over it; ← → edit it. {hint}"),
         _ => hint,
@@ -169,11 +160,7 @@ fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), she
     let (area, theme) = (sheet.area, sheet.theme);
     let mark = if chosen && focused { "▸" } else { " " };
     sheet.put((0, 0), mark, theme.strong());
-    let style = if chosen && focused {
-        theme.strong()
-    } else {
-        theme.text()
-    };
+    let style = if chosen && focused { theme.strong() } else { theme.text() };
     match row {
         FormRow::Preset => {
             let mark = if model.is_edited() { " *" } else { "" };
@@ -189,11 +176,7 @@ fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), she
                 rows(&model.work.scenario, true).len() - rows(&model.work.scenario, false).len();
             debug_assert!(shown < count);
             let text = format!("{sign} Advanced ({shown} more)");
-            let style = if chosen && focused {
-                theme.focus()
-            } else {
-                theme.text()
-            };
+            let style = if chosen && focused { theme.focus() } else { theme.text() };
             sheet.put((1, 0), &text, style);
         }
         FormRow::Field(field) => match &model.form.typing {
@@ -248,11 +231,7 @@ fn shown_value(model: &AppModel, field: &Field) -> String {
         (Kind::Choice(_), name) => in_words(name),
         _ => text,
     };
-    if field.unit.is_empty() {
-        text
-    } else {
-        format!("{text} {}", field.unit)
-    }
+    if field.unit.is_empty() { text } else { format!("{text} {}", field.unit) }
 }
 
 /// A choice as a person would say it.
@@ -288,11 +267,7 @@ fn typed(typing: &Typing, sheet: &mut Sheet) {
     let label = width(typing.field.label) + 2;
     let room = area.width.saturating_sub(label).max(8).min(area.width - 1);
     let field = &mut sheet.part((area.width - room, 0), (room, 1));
-    let style = if typing.error.is_some() {
-        theme.error()
-    } else {
-        theme.strong()
-    };
+    let style = if typing.error.is_some() { theme.error() } else { theme.strong() };
     input(&typing.input, style, field);
 }
 

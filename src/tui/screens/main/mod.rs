@@ -11,19 +11,15 @@ use std::mem::discriminant;
 
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, fields};
-use crate::tui::changes::edit::change;
 use crate::tui::changes::{presets, threshold, typing};
-use crate::tui::ensemble::FEW;
 use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::model::AppModel;
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::step::Step;
-use crate::tui::view::eye;
-use crate::tui::view::sheet::Sheet;
+use crate::tui::{changes::edit::change, ensemble::FEW};
+use crate::tui::{model::AppModel, step::Step, view::eye, view::sheet::Sheet};
 use form::{DIAL, FORM};
 
 /// Small steps in place of a large one, at most.
@@ -48,11 +44,7 @@ pub struct Main {
 
 impl Panes for Main {
     const PANES: &'static [Pane<Self>] = &[
-        Pane::new(
-            "form",
-            TimeKeys::Late,
-            &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS],
-        ),
+        Pane::new("form", TimeKeys::Late, &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS]),
         Pane::new("dial", TimeKeys::Late, &[DIAL_KEYS]),
     ];
 }
@@ -157,11 +149,8 @@ fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
     });
     match furthest(&model.work.scenario, field, step, present) {
         Ok(scenario) if scenario == model.work.scenario => {
-            model.notice = Some(format!(
-                "{}: {}",
-                field.label,
-                allowed(&model.work.scenario, field)
-            ));
+            model.notice =
+                Some(format!("{}: {}", field.label, allowed(&model.work.scenario, field)));
         }
         outcome => take(model, path, outcome),
     }
@@ -196,10 +185,7 @@ fn furthest(
     if whole.is_ok() || !step.coarse {
         return whole;
     }
-    let small = Step {
-        coarse: false,
-        ..step
-    };
+    let small = Step { coarse: false, ..step };
     let mut reached: Option<Scenario> = None;
     for _ in 0..MAX_SMALL_STEPS {
         match nudged(reached.as_ref().unwrap_or(scenario), field, small, present) {

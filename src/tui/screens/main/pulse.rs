@@ -21,11 +21,9 @@ pub fn described(scenario: &Scenario, path: &str) -> Option<String> {
         return (path == "impact.shape").then(|| drawn(&Pulse::new(pulse)));
     };
     match path {
-        "impact.shape" => Some(format!(
-            "{} {} knots, {peak}",
-            drawn(&Pulse::new(pulse)),
-            curve.knots().len()
-        )),
+        "impact.shape" => {
+            Some(format!("{} {} knots, {peak}", drawn(&Pulse::new(pulse)), curve.knots().len()))
+        }
         "impact.force_n" => Some(format!("of a share of 1; {peak}")),
         "impact.duration_ms" => Some(format!(
             "stretches the table, which was recorded over {} ms",
@@ -69,10 +67,7 @@ mod tests {
     fn scenario(knots: &[(f64, f64)]) -> Scenario {
         let mut pulse = ForcePulse::default();
         pulse.follow(Curve::new(knots.iter().copied()).unwrap());
-        Scenario {
-            impact: Impact::ForcePulse(pulse),
-            ..Scenario::default()
-        }
+        Scenario { impact: Impact::ForcePulse(pulse), ..Scenario::default() }
     }
 
     #[test]

@@ -5,15 +5,11 @@ use ratatui::style::Style;
 
 use crate::injury::Term;
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
-use crate::report::format::digits;
-use crate::report::limit::alone;
-use crate::report::risks::first_line;
+use crate::report::{format::digits, limit::alone, risks::first_line};
 use crate::run::quantity::Quantity;
-use crate::tui::model::AppModel;
-use crate::tui::shown::ShownAnswer;
 use crate::tui::view::risks::{comes, limits, rows};
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{longest_fitting, width, wrapped};
+use crate::tui::{model::AppModel, shown::ShownAnswer, view::sheet::Sheet};
 
 /// What the screen answers.
 pub const QUESTION: &str = "How bad?";
@@ -82,10 +78,7 @@ pub fn limited(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
             "Errors of the step alone; the mesh's is being computed",
             "Errors of the step; the mesh's comes",
         ],
-        (None, false) => [
-            "Errors of the step alone, without the mesh's",
-            "Errors of the step",
-        ],
+        (None, false) => ["Errors of the step alone, without the mesh's", "Errors of the step"],
     };
     let text = longest_fitting(&texts, area.width);
     sheet.put((0, 0), text, theme.quiet());
@@ -107,9 +100,7 @@ pub fn index(shown: &ShownAnswer, sheet: &mut Sheet) {
         sheet.put((0, 0), text, theme.quiet());
     } else if area.height < BLOCK {
         let index = Figure::of(&shown.answer, Quantity::Damage);
-        let rough = index
-            .as_ref()
-            .map_or_else(String::new, |figure| figure.coarser(2).number);
+        let rough = index.as_ref().map_or_else(String::new, |figure| figure.coarser(2).number);
         let index = index.map_or_else(String::new, |figure| figure.to_string());
         let texts = [
             format!("Index {index} ({SCALE}): {long}"),
@@ -178,11 +169,7 @@ fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
         return Vec::new();
     }
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
-        let waiting = if model.idle {
-            "still being computed"
-        } else {
-            "not computed"
-        };
+        let waiting = if model.idle { "still being computed" } else { "not computed" };
         return vec![
             format!("what doubt in the inputs does to the index: {waiting}"),
             format!("inputs: {waiting}"),

@@ -5,15 +5,10 @@ use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
-use crate::run::kept::Peak;
-use crate::run::quantity::Quantity;
-use crate::run::trace::Trace;
-use crate::tui::model::AppModel;
-use crate::tui::shown::ShownAnswer;
+use crate::run::{kept::Peak, quantity::Quantity, trace::Trace};
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
-use crate::tui::view::raster::Ink;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::width;
+use crate::tui::{model::AppModel, shown::ShownAnswer, view::raster::Ink, view::sheet::Sheet};
 
 /// The results whose curves are drawn beside the eye, with their peaks: the node forces where they
 /// are asked for and where there is nothing else.
@@ -23,11 +18,7 @@ fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
         all.filter_map(|q| Some((*q, answer.peak(*q)?))).collect()
     };
     let felt = peaks(&Quantity::FELT);
-    if nodes || felt.is_empty() {
-        peaks(&Quantity::FORCES)
-    } else {
-        felt
-    }
+    if nodes || felt.is_empty() { peaks(&Quantity::FORCES) } else { felt }
 }
 
 /// From so many columns on there may be room for the time of a peak beside it.
@@ -44,11 +35,7 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
     let name = of.row().short;
     let ms = peak.time * 1e3;
     let times = match room {
-        TIMED.. => vec![
-            format!("at {ms:.3} ms"),
-            format!("{ms:.3}ms"),
-            format!("{ms:.2}ms"),
-        ],
+        TIMED.. => vec![format!("at {ms:.3} ms"), format!("{ms:.3}ms"), format!("{ms:.2}ms")],
         _ => vec![String::new()],
     };
     let brief = match name.get(..LONGEST - 2) {
@@ -121,11 +108,7 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         sheet.put((left, top), &time, theme.quiet());
         let right = if time.is_empty() { left } else { left - 1 };
         let spoiled = shown.answer.spoiled().is_some();
-        let style = if spoiled {
-            theme.quiet()
-        } else {
-            theme.strong()
-        };
+        let style = if spoiled { theme.quiet() } else { theme.strong() };
         sheet.put_right((right, top), &value, style);
         let values = values(&quantity);
         if each < 2 || values.is_empty() {
@@ -154,11 +137,7 @@ pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let Some(traces) = &shown.answer.run.traces else {
         return;
     };
-    let of = [
-        Quantity::ScleralStress,
-        Quantity::Apex,
-        Quantity::ShellGrowth,
-    ];
+    let of = [Quantity::ScleralStress, Quantity::Apex, Quantity::ShellGrowth];
     let there = |of: &Quantity| !Trace::Of(*of).values(traces).is_empty();
     let there: Vec<Quantity> = of.into_iter().filter(there).take(2).collect();
     let each = area.height / there.len().max(1) as u16;
@@ -166,11 +145,7 @@ pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         let (course, row) = (Trace::Of(of), of.row());
         let values = course.values(traces);
         let reading = Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}"));
-        let place = Rect {
-            y: area.y + each * i,
-            height: each,
-            ..area
-        };
+        let place = Rect { y: area.y + each * i, height: each, ..area };
         TimeChart {
             title: &format!("{}, {}", course.label(traces), row.unit),
             reading: &reading.unwrap_or_default(),
@@ -202,10 +177,7 @@ mod tests {
                     off: Off::Both(error),
                     cut: None,
                 };
-                let peak = Peak {
-                    value: 1.0,
-                    time: 12.345e-3,
-                };
+                let peak = Peak { value: 1.0, time: 12.345e-3 };
                 for room in NARROWEST..50 {
                     let (label, value, time) = caption(quantity, &figure, peak, room);
                     let long = width(&label) + 1 + width(&value);

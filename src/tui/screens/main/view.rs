@@ -3,16 +3,11 @@
 use ratatui::layout::Rect;
 
 use crate::injury::Injury;
-use crate::tui::clock::MeshDetail;
-use crate::tui::model::AppModel;
-use crate::tui::screens::main::form::DIAL;
 use crate::tui::screens::main::{form, score, traces};
-use crate::tui::shown::ShownAnswer;
-use crate::tui::view::below;
-use crate::tui::view::eye::EyePicture;
-use crate::tui::view::risks::signs;
-use crate::tui::view::sheet::Sheet;
-use crate::tui::view::text::wrapped;
+use crate::tui::view::{below, eye::EyePicture, risks::signs, sheet::Sheet, text::wrapped};
+use crate::tui::{
+    clock::MeshDetail, model::AppModel, screens::main::form::DIAL, shown::ShownAnswer,
+};
 
 /// Where the parts of the screen are.
 pub struct Layout {
@@ -56,11 +51,7 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
     let signs = signs(area.width).len() as u16;
     let height = area.height - signs;
     let wide = area.width >= WIDE && height >= HIGH;
-    let form = Rect {
-        width: left,
-        height,
-        ..area
-    };
+    let form = Rect { width: left, height, ..area };
     let right = Rect::new(area.x + left + 1, area.y, area.width - left - 1, height);
     // From top to bottom in one column: what to believe, what limits it, the index.
     let (each, limits, index) = match height {
@@ -68,11 +59,8 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
         30.. => (LINES, 3, score::BLOCK),
         _ => (LINES, 2, 1),
     };
-    let (x, width) = if wide {
-        (area.x + area.width - ANSWERS, ANSWERS)
-    } else {
-        (right.x, right.width)
-    };
+    let (x, width) =
+        if wide { (area.x + area.width - ANSWERS, ANSWERS) } else { (right.x, right.width) };
     let part = |y: u16, height: u16| Rect::new(x, area.y + y, width - u16::from(wide), height);
     let answers = part(0, each);
     let gap = u16::from(wide);
@@ -82,20 +70,13 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
     let upper = if wide { 0 } else { used };
     let picture = Rect {
         y: right.y + upper,
-        width: if wide {
-            right.width - ANSWERS - 2
-        } else {
-            right.width
-        },
+        width: if wide { right.width - ANSWERS - 2 } else { right.width },
         height: height - upper,
         ..right
     };
     let below_form = wide && !unfolded && height > FORM + 12;
     let (form, traces, eye) = if below_form {
-        let rows = Rect {
-            height: FORM,
-            ..form
-        };
+        let rows = Rect { height: FORM, ..form };
         (rows, below(form, FORM), picture.width)
     } else {
         // Room for the object beside the eye.
@@ -128,11 +109,7 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
         sheet.put((parts.right.x - 1, y), "│", theme.line());
     }
     let signs = signs(area.width);
-    sheet.put_lines(
-        (0, area.height - parts.signs.height),
-        signs,
-        theme.heading(),
-    );
+    sheet.put_lines((0, area.height - parts.signs.height), signs, theme.heading());
     let Some(shown) = &model.shown else {
         waiting(model, &mut sheet.at(parts.right));
         return;
@@ -151,13 +128,7 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
     score::index(shown, &mut sheet.at(parts.index));
     if model.stale().is_some() {
         // All but the line that says so.
-        for part in [
-            below(parts.answers, 1),
-            parts.limits,
-            parts.index,
-            parts.eye,
-            parts.traces,
-        ] {
+        for part in [below(parts.answers, 1), parts.limits, parts.index, parts.eye, parts.traces] {
             sheet.buffer.set_style(part, theme.stale());
         }
     }

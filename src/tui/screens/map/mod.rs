@@ -6,17 +6,12 @@ mod view;
 use ratatui::layout::Rect;
 
 use crate::many::map::Span;
-use crate::tui::changes::edit::change;
-use crate::tui::form::words;
-use crate::tui::keys::TimeKeys;
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::model::AppModel;
-use crate::tui::request::Report;
 use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::step::Step;
-use crate::tui::view::sheet::Sheet;
+use crate::tui::{changes::edit::change, form::words, keys::TimeKeys};
+use crate::tui::{model::AppModel, request::Report, step::Step, view::sheet::Sheet};
 use state::Map;
 
 pub(super) const ABOUT: About = About {
@@ -53,12 +48,7 @@ const KEYS: PaneKeys<Map> = PaneKeys::new("Map", &[
 const STOPPED_KEYS: PaneKeys<Map> = PaneKeys::when(
     |map, _| map.task.complaint.is_some(),
     "Map: stopped",
-    &[bind(
-        &[c('m')],
-        |s, _| s.task.complaint = None,
-        "go on",
-        "go on where Esc stopped it",
-    )],
+    &[bind(&[c('m')], |s, _| s.task.complaint = None, "go on", "go on where Esc stopped it")],
 );
 
 impl Screen for Map {

@@ -3,25 +3,17 @@
 
 use crate::many::map::{Grid, MapReading, SIDE, Span, fill};
 use crate::many::sweep::spaced;
-use crate::run::quantity::Quantity;
-use crate::run::refusal::Refusal;
-use crate::run::watch::Watch;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
-use crate::tui::ensemble;
-use crate::tui::request::TaskQuestion;
-use crate::tui::step::Step;
-use crate::tui::task::Task;
-use crate::tui::worker::run_watched;
+use crate::tui::{ensemble, request::TaskQuestion, step::Step, task::Task, worker::run_watched};
 
 const ANGLE: &str = "impact.angle_deg";
 /// Pairs of inputs to begin with; the first whose fields are there. An angle is none of them: each
 /// of its points takes seconds.
-const PAIRS: [(&str, &str); 2] = [
-    ("impact.speed_m_s", "impact.mass_g"),
-    ("impact.force_n", "impact.duration_ms"),
-];
+const PAIRS: [(&str, &str); 2] =
+    [("impact.speed_m_s", "impact.mass_g"), ("impact.force_n", "impact.duration_ms")];
 /// How far a range reaches at first: to three times the value and to a third of it.
 const REACH: f64 = 2.0;
 /// The factor of one key press on the reach, and its bounds.
@@ -220,11 +212,7 @@ impl Map {
         let known = self.grid(scenario).cloned();
         let known = known.unwrap_or_else(|| Grid::new(SIDE));
         let (count, all) = known.known();
-        (count < all).then(|| DrawMap {
-            scenario: key(scenario, spans),
-            spans,
-            known,
-        })
+        (count < all).then(|| DrawMap { scenario: key(scenario, spans), spans, known })
     }
 
     /// The values of the inputs under the cursor.
@@ -241,9 +229,7 @@ impl Map {
 
     /// The result on show: the chosen one where the map has it, else rupture, else damage.
     pub fn quantity(&self, grid: &Grid) -> Quantity {
-        let mut own = [self.chosen, Some(Quantity::GlobeRupture)]
-            .into_iter()
-            .flatten();
+        let mut own = [self.chosen, Some(Quantity::GlobeRupture)].into_iter().flatten();
         let there = own.find(|of| grid.largest(*of).is_some());
         there.unwrap_or(Quantity::Damage)
     }
@@ -296,10 +282,7 @@ mod tests {
         let mut map = Map::default();
         map.settle(&scenario);
         let [x, y] = map.spans.unwrap();
-        assert_eq!(
-            (x.field.path, y.field.path),
-            ("impact.force_n", "impact.duration_ms")
-        );
+        assert_eq!((x.field.path, y.field.path), ("impact.force_n", "impact.duration_ms"));
         assert_eq!((x.from, x.to), (100.0, 900.0));
         for _ in 0..60 {
             map.turn(&scenario, true);

@@ -14,18 +14,13 @@ use crate::injury::{Blow, Injury, Known, whole as whole_percent};
 use crate::many::map::{Grid, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
-use crate::report::picture::Part;
-use crate::report::picture::field::step;
+use crate::report::picture::{Part, field::step};
 use crate::run::quantity::Quantity;
-use crate::scenario::doubt::number;
-use crate::scenario::problem::plain;
-use crate::scenario::set::put_number;
-use crate::tui::model::AppModel;
+use crate::scenario::{doubt::number, problem::plain, set::put_number};
 use crate::tui::screens::map::state::{Map, rounded};
-use crate::tui::view::chart::axis_lines;
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{fitted, width, wrapped};
-use crate::tui::view::theme::Theme;
+use crate::tui::{model::AppModel, view::chart::axis_lines, view::theme::Theme};
 
 /// Room for the numbers of the axis that goes up.
 const LABELS: u16 = 8;
@@ -67,10 +62,7 @@ pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     let titles = [&titles[..], &["What if?"]].concat();
     sheet.put_both((&titles, theme.heading()), (&said, style));
     let (wide, high) = (LABELS + 2, BELOW + 1);
-    let size = (
-        area.width.saturating_sub(wide),
-        area.height.saturating_sub(high),
-    );
+    let size = (area.width.saturating_sub(wide), area.height.saturating_sub(high));
     let field = sheet.part((LABELS + 1, 1), size).area;
     if field.width < 10 || field.height < 4 {
         sheet.put((1, 1), "too small for the map", theme.warning());
@@ -148,8 +140,7 @@ fn whole(grid: Option<&Grid>, quantity: Quantity) -> f64 {
     };
     let largest = grid.and_then(|grid| grid.largest(quantity));
     let own = quantity.row().whole;
-    own.or_else(|| round(largest.filter(|v| *v > 0.0)?))
-        .unwrap_or(1.0)
+    own.or_else(|| round(largest.filter(|v| *v > 0.0)?)).unwrap_or(1.0)
 }
 
 fn cell(
@@ -176,11 +167,7 @@ fn cell(
     } else {
         Style::new().fg(theme.part(Part::Globe, step(value, 1.0)))
     };
-    let heat = if theme.is_mono() {
-        heat
-    } else {
-        heat.add_modifier(Modifier::REVERSED)
-    };
+    let heat = if theme.is_mono() { heat } else { heat.add_modifier(Modifier::REVERSED) };
     let crosses = |level: f64| {
         let next = [(at.0 + 1, at.1), (at.0, at.1 + 1)];
         next.iter()
@@ -216,9 +203,7 @@ fn figures((grid, quantity, whole): (&Grid, Quantity, f64), field: Rect, sheet: 
             let mut columns = 1..field.width;
             columns.find(|column| {
                 let (before, here) = (value(column - 1, row), value(*column, row));
-                before
-                    .zip(here)
-                    .is_some_and(|(a, b)| (a < level) != (b < level))
+                before.zip(here).is_some_and(|(a, b)| (a < level) != (b < level))
             })
         };
         let wanted = field.height * i / (LINES.len() as u16 + 2);
@@ -228,10 +213,8 @@ fn figures((grid, quantity, whole): (&Grid, Quantity, f64), field: Rect, sheet: 
         else {
             continue;
         };
-        let text = format!(
-            " {} ",
-            with_unit(&rounded(level * whole).to_string(), quantity.row().unit)
-        );
+        let text =
+            format!(" {} ", with_unit(&rounded(level * whole).to_string(), quantity.row().unit));
         let left = column.saturating_sub(width(&text) / 2);
         let left = left.min(field.width.saturating_sub(width(&text)));
         let field = &mut sheet.at(field);
@@ -285,18 +268,12 @@ fn axes((x, y): (Span, Span), field: Rect, sheet: &mut Sheet) {
 fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<String> {
     let (injury, [x, y], [a, b]) = (Injury::of(of)?, map.spans?, map.values()?);
     let measure = injury.measure();
-    let felt = map
-        .reading(grid, measure)
-        .filter(|felt| !felt.folded)?
-        .value?;
+    let felt = map.reading(grid, measure).filter(|felt| !felt.folded)?.value?;
     let mut there = model.work.scenario.clone();
     put_number(&mut there, x.field, a);
     put_number(&mut there, y.field, b);
-    let known = Known {
-        value: felt / measure.row().factor,
-        error: 0.01 * MAPPED,
-        ..Known::default()
-    };
+    let known =
+        Known { value: felt / measure.row().factor, error: 0.01 * MAPPED, ..Known::default() };
     Some(injury.assess(&Blow::of(&there), known).percent())
 }
 
@@ -315,30 +292,17 @@ fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
             return "not known yet".to_owned();
         };
         let Some(value) = reading.value else {
-            return if reading.exact {
-                "not allowed"
-            } else {
-                "not known yet"
-            }
-            .to_owned();
+            return if reading.exact { "not allowed" } else { "not known yet" }.to_owned();
         };
         let row = quantity.row();
         if let Some(range) = risk_there(map, grid, quantity, model) {
             // The points around it tell no more than where it about lies.
-            let rough = if reading.exact {
-                ""
-            } else {
-                ", between points that were computed"
-            };
+            let rough = if reading.exact { "" } else { ", between points that were computed" };
             let middle = whole_percent(0.01 * value);
             return format!("{} about {middle}, {range}{rough}", row.label);
         }
         let about = if reading.exact { "" } else { "about " };
-        let folded = if reading.folded {
-            ", but the mesh folded"
-        } else {
-            ""
-        };
+        let folded = if reading.folded { ", but the mesh folded" } else { "" };
         let value = with_unit(&within(value, Some(MAPPED)), row.unit);
         format!("{} {about}{value}{folded}", row.label)
     });

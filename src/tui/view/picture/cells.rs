@@ -48,11 +48,7 @@ pub(super) fn two(points: &[Tint]) -> (Tint, Tint, u8) {
     }
     let first = |of: &Tint| best.0 != best.1 && cost(*of, best.0) < cost(*of, best.1);
     let bits = points.iter().enumerate().filter(|(_, of)| first(of));
-    (
-        best.0,
-        best.1,
-        bits.fold(0, |mask, (bit, _)| mask | 1 << bit),
-    )
+    (best.0, best.1, bits.fold(0, |mask, (bit, _)| mask | 1 << bit))
 }
 
 /// The one tint of a cell that has room for no more.
@@ -114,10 +110,7 @@ mod tests {
         let (globe, sky) = (tint(Part::Globe), tint(Part::Sky));
         let (sclera, fat) = (tint(Part::Sclera), tint(Part::Fat));
         let (a, b, mask) = two(&[sclera, globe, sky, globe]);
-        assert!(
-            [a, b].contains(&sclera) && [a, b].contains(&globe),
-            "{a:?} {b:?}"
-        );
+        assert!([a, b].contains(&sclera) && [a, b].contains(&globe), "{a:?} {b:?}");
         // What does not fit beside them becomes a part of the shell, not of the inside.
         let shell = if a == sclera { 0b0101 } else { 0b1010 };
         assert_eq!(mask, shell);

@@ -13,15 +13,11 @@ use ratatui::style::{Color, Style};
 
 use crate::report::picture::field::{STEPS, TissueField, step};
 use crate::report::picture::{DrawnDetail, POINTS, Part, front, in_globe, moment};
-use crate::run::drawing::shares;
-use crate::run::kept::Frame;
-use crate::tui::look::Look;
+use crate::run::{drawing::shares, kept::Frame};
 use crate::tui::terminal::caps::{Depth, Symbols};
-use crate::tui::view::eye::EyePicture;
-use crate::tui::view::raster::QUADRANTS;
-use crate::tui::view::sheet::Sheet;
 use crate::tui::view::text::{longest_fitting, width};
 use crate::tui::view::theme::Theme;
+use crate::tui::{look::Look, view::eye::EyePicture, view::raster::QUADRANTS, view::sheet::Sheet};
 use cells::{Tint, octant, one, two};
 use samples::Samples;
 use window::Window;
@@ -87,11 +83,8 @@ impl Anatomical<'_> {
             _ => (across as usize, down as usize),
         };
         let (wide, high) = (columns * across, rows * down);
-        let detail = DrawnDetail {
-            grain: window.grain(),
-            zoom: f64::from(self.scene.zoom),
-            points: POINTS,
-        };
+        let detail =
+            DrawnDetail { grain: window.grain(), zoom: f64::from(self.scene.zoom), points: POINTS };
         let shown = self.scene.shown;
         let layers = if self.scene.front {
             let side = shown.scenario.eye_side();
@@ -100,11 +93,8 @@ impl Anatomical<'_> {
             shown.anatomy.layers(&shown.drawing, self.frame, detail)
         };
         let samples = Samples::new(&layers, window, (wide, high), (across, down));
-        let parts = if self.scene.lean || self.scene.playing || area.width >= LARGE {
-            1
-        } else {
-            2
-        };
+        let parts =
+            if self.scene.lean || self.scene.playing || area.width >= LARGE { 1 } else { 2 };
         // From the front nothing shows the inside.
         let steps = if self.scene.front {
             vec![0; columns * rows * parts]
@@ -116,11 +106,7 @@ impl Anatomical<'_> {
             let part = samples.point(x, y);
             let inside = matches!(part, Part::Globe);
             let row = y * parts / down;
-            let step = if inside {
-                steps[row * columns + x / across]
-            } else {
-                0
-            };
+            let step = if inside { steps[row * columns + x / across] } else { 0 };
             Tint { part, step }
         };
         (wide, (0..wide * high).map(tint).collect())
@@ -133,11 +119,7 @@ impl Anatomical<'_> {
         let values = field.of_nodes(drawing, self.frame);
         let mut found: Vec<Option<usize>> = vec![None; columns * rows];
         let spots = parts as f64;
-        for cell in drawing
-            .cells
-            .iter()
-            .filter(|cell| in_globe(drawing, &cell.corners))
-        {
+        for cell in drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners)) {
             for nodes in cell.triangles() {
                 let corners =
                     nodes.map(|node| drawing.place(self.frame, node, f64::from(self.scene.zoom)));
@@ -167,12 +149,7 @@ impl Anatomical<'_> {
         for _ in 0..2 {
             let before = found.clone();
             for (i, place) in found.iter_mut().enumerate() {
-                let near = [
-                    i.wrapping_sub(1),
-                    i + 1,
-                    i.wrapping_sub(columns),
-                    i + columns,
-                ];
+                let near = [i.wrapping_sub(1), i + 1, i.wrapping_sub(columns), i + columns];
                 let known = near.iter().find_map(|n| before.get(*n).copied().flatten());
                 *place = place.or(known);
             }
@@ -183,10 +160,8 @@ impl Anatomical<'_> {
     fn paint(&self, window: &Window, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let (wide, points) = self.points(area, window);
-        let (across, down) = (
-            wide / usize::from(area.width),
-            points.len() / wide / usize::from(area.height),
-        );
+        let (across, down) =
+            (wide / usize::from(area.width), points.len() / wide / usize::from(area.height));
         let dots = self.dots(window, area);
         for row in 0..area.height {
             for column in 0..area.width {
@@ -241,18 +216,10 @@ impl Anatomical<'_> {
         let (said, brief) = moment::said(&self.scene.shown.answer, self.scene.time);
         let said = if area.width < WORDY { brief } else { &said };
         let play = if self.scene.playing { " ▶" } else { "" };
-        let words = [
-            format!(" {said}{zoom}{play}"),
-            format!(" {said}{zoom}"),
-            zoom,
-            String::new(),
-        ];
+        let words = [format!(" {said}{zoom}{play}"), format!(" {said}{zoom}"), zoom, String::new()];
         if self.scene.front {
             let (eye, ..) = self.scene.shown.scenario.eye_side().seen();
-            let texts = [
-                format!("{eye} eye, from the front"),
-                "from the front".to_owned(),
-            ];
+            let texts = [format!("{eye} eye, from the front"), "from the front".to_owned()];
             let text = longest_fitting(&texts, area.width.saturating_sub(x + 2));
             sheet.put_right((area.width, 0), text, theme.quiet());
             let words = longest_fitting(&words, area.width.saturating_sub(x + 2 + width(text)));
@@ -296,13 +263,8 @@ impl Anatomical<'_> {
         for i in 0..ramp.saturating_sub(width(&signs)) {
             let last = usize::from(ramp - 1);
             let place = |share: usize| (share * (STEPS - 1)) / (2 * last).max(1);
-            let (a, b) = (
-                place(2 * usize::from(i)),
-                place((2 * usize::from(i) + 1).min(2 * last)),
-            );
-            let style = Style::new()
-                .fg(theme.part(Part::Globe, a))
-                .bg(theme.part(Part::Globe, b));
+            let (a, b) = (place(2 * usize::from(i)), place((2 * usize::from(i) + 1).min(2 * last)));
+            let style = Style::new().fg(theme.part(Part::Globe, a)).bg(theme.part(Part::Globe, b));
             x = sheet.put((x, 0), "▌", style);
         }
         sheet.put_right((area.width, 0), end.trim_start(), theme.quiet());
@@ -373,11 +335,7 @@ fn coloured(own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> (char, Styl
         }
         return (' ', ground);
     }
-    let symbol = if own.len() == 8 {
-        octant(mask)
-    } else {
-        QUADRANTS[usize::from(mask)]
-    };
+    let symbol = if own.len() == 8 { octant(mask) } else { QUADRANTS[usize::from(mask)] };
     (symbol, ground.fg(theme.part(first.part, first.step)))
 }
 
@@ -390,15 +348,9 @@ fn mono(
     lattice: bool,
 ) -> (char, Style) {
     let solid = |i: &usize| own[*i].part.is_line() || edge(*i);
-    let mask = (0..own.len())
-        .filter(solid)
-        .fold(0_u8, |mask, bit| mask | 1 << bit);
+    let mask = (0..own.len()).filter(solid).fold(0_u8, |mask, bit| mask | 1 << bit);
     if mask != 0 {
-        let symbol = if own.len() == 8 {
-            octant(mask)
-        } else {
-            QUADRANTS[usize::from(mask)]
-        };
+        let symbol = if own.len() == 8 { octant(mask) } else { QUADRANTS[usize::from(mask)] };
         return (symbol, Style::new());
     }
     let Tint { part, step } = one(own);
@@ -470,11 +422,7 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
         _ if theme.is_mono() => Style::new(),
         part => Style::new().fg(theme.part(part, step)),
     };
-    let bold = if part == Part::Pressed {
-        theme.strong()
-    } else {
-        Style::new()
-    };
+    let bold = if part == Part::Pressed { theme.strong() } else { Style::new() };
     (sign, style.patch(bold))
 }
 

@@ -24,12 +24,7 @@ impl Samples {
         let fine = if points.0 * points.1 > 12_000 { 2 } else { 4 };
         let (width, height) = (points.0 * fine, points.1 * fine);
         let labels = vec![Part::Sky; width * height];
-        let mut all = Self {
-            fine,
-            width,
-            height,
-            labels,
-        };
+        let mut all = Self { fine, width, height, labels };
         for shape in layers {
             all.fill(shape, window, a_cell);
         }
@@ -50,11 +45,7 @@ impl Samples {
                 let (a, b) = (at(i), at(i + 1));
                 let (turn, low, high) = if a.1 < b.1 { (1, a, b) } else { (-1, b, a) };
                 let row = |y: f64| (y - 0.5).ceil().clamp(0.0, self.height as f64) as usize;
-                for (y, row) in crossings
-                    .iter_mut()
-                    .enumerate()
-                    .take(row(high.1))
-                    .skip(row(low.1))
+                for (y, row) in crossings.iter_mut().enumerate().take(row(high.1)).skip(row(low.1))
                 {
                     let share = (y as f64 + 0.5 - low.1) / (high.1 - low.1);
                     row.push((low.0 + share * (high.0 - low.0), turn));

@@ -1,22 +1,15 @@
 use super::*;
 use crate::answer::solve::{Answer, solve};
-use crate::run::drawing::Drawing;
 use crate::run::kept::{Keep, Spacing};
-use crate::run::watch::unwatched;
+use crate::run::{drawing::Drawing, watch::unwatched};
 use crate::scenario::library::{built_in, find};
 use crate::scenario::{Impact, Scenario};
-use crate::tui::clock::MeshDetail;
-use crate::tui::look::Look;
-use crate::tui::shown::ShownAnswer;
-use crate::tui::view::palette::DARK;
+use crate::tui::{clock::MeshDetail, look::Look, shown::ShownAnswer, view::palette::DARK};
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 
 fn answered(scenario: &Scenario) -> ShownAnswer {
-    let keep = Keep {
-        traces: true,
-        frames: Some(Spacing::doubling(80, 2.5e-5)),
-    };
+    let keep = Keep { traces: true, frames: Some(Spacing::doubling(80, 2.5e-5)) };
     let answer: Answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     ShownAnswer::new(scenario.clone(), answer)
 }
@@ -50,10 +43,7 @@ fn inside(ring: &[Point2<f64>], at: Point2<f64>) -> bool {
 /// the wall; from the nodes alone.
 fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
     let places = |nodes: &[usize]| -> Vec<Point2<f64>> {
-        nodes
-            .iter()
-            .map(|node| drawing.place(frame, *node, 1.0))
-            .collect()
+        nodes.iter().map(|node| drawing.place(frame, *node, 1.0)).collect()
     };
     let lines = &drawing.outlines;
     let mut all = vec![places(&lines.shell)];
@@ -66,11 +56,7 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
         };
         let mut fat = places(&lines.wall);
         fat.extend(places(&lines.free[1]));
-        fat.extend(
-            places(&lines.shell[place(first)..=place(last)])
-                .iter()
-                .rev(),
-        );
+        fat.extend(places(&lines.shell[place(first)..=place(last)]).iter().rev());
         fat.extend(places(&lines.free[0]).iter().rev());
         all.push(fat);
         let wall = places(&lines.wall);
@@ -78,12 +64,7 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
         let out = (top - bottom).normalize();
         let back = nalgebra::Vector2::new(out.y, -out.x);
         let mut beside = wall;
-        beside.extend([
-            bottom - out,
-            bottom - out + back,
-            top + out + back,
-            top + out,
-        ]);
+        beside.extend([bottom - out, bottom - out + back, top + out + back, top + out]);
         all.push(beside);
     }
     all
@@ -94,10 +75,8 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
     let ink = |role: crate::tui::view::palette::Colour| role.ink().unwrap();
     let of_object = [ink(DARK.object), ink(DARK.skin)];
     let (mut seen, mut from_aside) = (0, 0);
-    let mut scenarios: Vec<Scenario> = built_in()
-        .iter()
-        .map(|preset| preset.scenario().unwrap())
-        .collect();
+    let mut scenarios: Vec<Scenario> =
+        built_in().iter().map(|preset| preset.scenario().unwrap()).collect();
     for (angle, clock, offset) in [(40.0, 6.0, 0.0), (60.0, 3.0, 3.0), (0.0, 12.0, 8.0)] {
         let mut aside = find("squash-ball").unwrap().scenario().unwrap();
         if let Impact::Projectile(object) = &mut aside.impact {
@@ -125,11 +104,7 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
                     let sign = cell.symbol().chars().next().unwrap();
                     let mask = QUADRANTS.iter().position(|s| *s == sign).unwrap_or(0);
                     for point in 0..4 {
-                        let color = if mask >> point & 1 == 1 {
-                            cell.fg
-                        } else {
-                            cell.bg
-                        };
+                        let color = if mask >> point & 1 == 1 { cell.fg } else { cell.bg };
                         if !of_object.contains(&color) {
                             continue;
                         }
@@ -157,11 +132,7 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
         }
         seen += usize::from(here > 0);
     }
-    assert!(
-        seen + from_aside > scenarios.len(),
-        "{seen} of {}",
-        scenarios.len()
-    );
+    assert!(seen + from_aside > scenarios.len(), "{seen} of {}", scenarios.len());
     assert!(scenarios.len() > 20);
 }
 
@@ -174,17 +145,9 @@ fn the_object_is_round_again_when_it_leaves_and_flat_where_it_presses() {
         along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
     };
     let frames = &shown.answer.run.frames;
-    let apex = shown
-        .answer
-        .peak(crate::run::quantity::Quantity::Apex)
-        .unwrap()
-        .time;
+    let apex = shown.answer.peak(crate::run::quantity::Quantity::Apex).unwrap().time;
     let deepest = &frames[crate::run::kept::nearest(frames, apex)];
-    assert!(
-        (width(&frames[0]) - 40e-3).abs() < 0.5e-3,
-        "{}",
-        width(&frames[0])
-    );
+    assert!((width(&frames[0]) - 40e-3).abs() < 0.5e-3, "{}", width(&frames[0]));
     assert!(width(deepest) < 20e-3, "{}", width(deepest));
     let last = frames.last().unwrap();
     assert!((width(last) - 40e-3).abs() < 0.5e-3, "{}", width(last));
@@ -205,19 +168,12 @@ fn text(buffer: &Buffer) -> String {
             styles.push(style);
             styles.len() - 1
         });
-        let letter = if style == (Color::Reset, Color::Reset) {
-            b' '
-        } else {
-            b'!' + place as u8 % 94
-        };
+        let letter =
+            if style == (Color::Reset, Color::Reset) { b' ' } else { b'!' + place as u8 % 94 };
         letters.push(char::from(letter));
     }
     let coloured = styles.len() > 1;
-    if coloured {
-        format!("{signs}\n\n{letters}\n")
-    } else {
-        signs + "\n"
-    }
+    if coloured { format!("{signs}\n\n{letters}\n") } else { signs + "\n" }
 }
 
 #[test]

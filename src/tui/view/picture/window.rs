@@ -36,27 +36,15 @@ impl Window {
     /// The window of a picture from the front, and where it lies between its words.
     pub fn facing(area: Rect, symbols: Symbols) -> (Self, Rect) {
         let field = Self::field(area);
-        let (columns, rows) = (
-            f64::from(field.width.max(1)),
-            f64::from(field.height.max(1)),
-        );
+        let (columns, rows) = (f64::from(field.width.max(1)), f64::from(field.height.max(1)));
         let column = (2.0 * REACH_M / columns).max(REACH_M / rows);
-        let window = Self {
-            left: -0.5 * column * columns,
-            top: column * rows,
-            column,
-            symbols,
-        };
+        let window = Self { left: -0.5 * column * columns, top: column * rows, column, symbols };
         (window, field)
     }
 
     fn field(area: Rect) -> Rect {
         let worded = u16::from(area.height >= WORDED);
-        Rect {
-            y: area.y + worded,
-            height: area.height - 2 * worded,
-            ..area
-        }
+        Rect { y: area.y + worded, height: area.height - 2 * worded, ..area }
     }
 
     fn new(area: Rect, drawing: &Drawing, symbols: Symbols) -> Self {
@@ -69,10 +57,7 @@ impl Window {
         let (column, middle) = if whole < WHOLE_M {
             (whole, 0.5 * (low.y + high.y))
         } else {
-            (
-                fits(GLOBE_M.0, GLOBE_M.1).max((0.8 * whole).min(NEAR_M)),
-                0.0,
-            )
+            (fits(GLOBE_M.0, GLOBE_M.1).max((0.8 * whole).min(NEAR_M)), 0.0)
         };
         // What is left over is room for the object; where room lacks, the back of the orbit goes.
         let spare = column * columns - wide;
@@ -82,28 +67,17 @@ impl Window {
                 _ if spare < 0.0 => 0.75 * spare,
                 _ => 0.0,
             };
-        Self {
-            left: right - column * columns,
-            top: middle + column * rows,
-            column,
-            symbols,
-        }
+        Self { left: right - column * columns, top: middle + column * rows, column, symbols }
     }
 
     /// Where a place lies, in cells.
     pub fn cell(&self, at: Point2<f64>) -> (f64, f64) {
-        (
-            (at.x - self.left) / self.column,
-            (self.top - at.y) / (2.0 * self.column),
-        )
+        ((at.x - self.left) / self.column, (self.top - at.y) / (2.0 * self.column))
     }
 
     /// The place at a point of the cells.
     pub fn place(&self, (x, y): (f64, f64)) -> Point2<f64> {
-        Point2::new(
-            self.left + x * self.column,
-            self.top - 2.0 * y * self.column,
-        )
+        Point2::new(self.left + x * self.column, self.top - 2.0 * y * self.column)
     }
 
     /// Points across and down a cell.
