@@ -7,7 +7,8 @@ use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::axisymmetric::time::march::{
     Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
 };
-use crate::models::axisymmetric::time::{run::slowest_swing, until::Until};
+use crate::models::axisymmetric::time::run::{return_on_fat, slowest_swing};
+use crate::models::axisymmetric::time::until::Until;
 use crate::models::axisymmetric::{forces::state::CellSums, recording::account::Account};
 use crate::models::axisymmetric::{recording::sensor::LowPass, time::due::FramesDue};
 use crate::models::spatial::eye::{ShellQuad, SpatialEye};
@@ -143,6 +144,9 @@ pub(crate) struct Motion<'a> {
     pub dented: Vec<bool>,
     pub tension_passed: Vec<LowPass>,
     pub account: Account,
+    /// How long a run goes on after the last growth once the object has met bone, s: what is as wide
+    /// as the orbit pushes the globe aside, and lens and iris peak again as it comes back.
+    pub swing_off_bone: f64,
     /// Energy of its flight that the object has spent on bone so far, J.
     pub at_bone: f64,
     /// Lost to the eye's viscosities up to the last half step, J, and the last kick, s.
@@ -200,6 +204,9 @@ impl<'a> Motion<'a> {
         let globe_volume = balance.forces(&mut state.clone()).volume;
         let stiffness: f64 = eye.quads.iter().map(|q| q.modulus * q.thickness).sum();
         let swing = slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64);
+        let around = eye.parameters.surround.as_ref();
+        let swing_off_bone =
+            around.map_or(swing, |fat| swing.max(return_on_fat(&eye.parameters, fat)));
         let (brought, size) = (flying.moving.kinetic(0.0), (globe_volume, eye.cells.len()));
         let entry = touches(ObjectOutline::Sphere(0.0), line, Vector3::zeros(), radius);
         let entry = entry.map_or(-way, |along| (passes + way * along).normalize());
@@ -223,6 +230,7 @@ impl<'a> Motion<'a> {
             way,
             up: blow.up,
             account: Account::new((window, keep), swing, brought, size),
+            swing_off_bone,
             flying,
             tension_passed: vec![LowPass::default(); eye.quads.len()],
             at_bone: 0.0,
@@ -252,6 +260,9 @@ impl<'a> Motion<'a> {
             let force = moving.force[0] + moving.force[1];
             let after = moving.velocity() + force * (0.5 * kick / whole);
             self.at_bone -= push.force.dot(&after) * kick;
+            if push.force != Vector3::zeros() {
+                self.account.swing = self.swing_off_bone;
+            }
             self.extremes.energy_at_bone = self.extremes.energy_at_bone.max(self.at_bone);
         }
     }
