@@ -10,7 +10,7 @@
 //! frequency is above sqrt(2 Kn/mn) of some node or of the object; two thirds of 2 sqrt(m/K) are
 //! below it.
 
-use crate::models::axisymmetric::forces::contact::{COURANT, DAMPED, TOUCHING};
+use crate::models::axisymmetric::forces::contact::{DAMPED, TOUCHING};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::spatial::eye::{SpatialEye, upon};
 use crate::models::spatial::forces::object::{MovingObject, touches};
@@ -18,6 +18,8 @@ use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
+/// Courant number of contact over that of the cells.
+const COURANT: f64 = 0.67;
 /// Points along each side of a quad.
 const POINTS: [f64; 2] = [0.25, 0.75];
 /// A quad may grow by this before it is looked at too late.
