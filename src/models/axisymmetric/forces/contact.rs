@@ -16,7 +16,7 @@ const SHELL_AREAL: f64 = 0.44;
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells. By nodes, with all that moves with them, four
 /// times as much would be stable; the force of the monitored node that is hit would not be followed.
-const COURANT: f64 = 0.93;
+const COURANT: f64 = 0.75;
 /// What is nearer to an object than this counts as touched by it, in m.
 pub(crate) const TOUCHING: f64 = 5e-5;
 /// The Courant number where the object loses energy, as the loss follows velocities half a step

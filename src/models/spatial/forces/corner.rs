@@ -7,9 +7,10 @@
 //!
 //! Their viscosity is against changes of shape, VT'/VT - V'/V. Two bounds of the step are theirs:
 //! 4/(d + sqrt(d^2 + 4 w^2)) with w^2 = (3/4) Ks j^-4 / VT0 sum |dVT/dx|^2 / (rho V0/8) of the
-//! stiffest and d = (3/4) eta sum (1/VT) sum |dVT/dx|^2 / (rho V0/8) of all eight, and half of the
-//! time in which one would be gone at its present rate. Without w fast small objects fold cells;
-//! without d what is pressed flat stands at the very edge of stability.
+//! stiffest and d = 2.5 (3/4) (eta/VT) sum |dVT/dx|^2 / (rho V0/8) of the most damped, and half of
+//! the time in which one would be gone at its present rate. Without w fast small objects fold cells,
+//! without d what is pressed flat is beyond what is stable: along each of its four short edges two
+//! corners damp the same motion.
 
 #![allow(
     clippy::inline_always,
@@ -119,7 +120,7 @@ pub(crate) fn respond<M: Math>(
             let squares = dot(c1, c1) + dot(c2, c2) + dot(c4, c4) + dot(own, own);
             // |dVT/dx|^2 is a 36th of that, and VT0 a sixth of what is known at rest.
             stiffest = m.most(stiffest, slope * squares * inverse_rest);
-            damping += squares * inverse_squeezed;
+            damping = m.most(damping, squares * inverse_squeezed);
             let (f1, f2, f4) = (times(c1, by), times(c2, by), times(c4, by));
             force[N | 1] = plus(force[N | 1], f1);
             force[N & !1] = minus(force[N & !1], f1);
@@ -138,7 +139,7 @@ pub(crate) fn respond<M: Math>(
     at!(6);
     at!(7);
     let squared = c.get(m, field::CORNER_SPEED) * sixth * stiffest;
-    let damped = eta * damping * sixth * c.get(m, field::INVERSE_MASS);
+    let damped = m.number(2.5) * eta * damping * sixth * c.get(m, field::INVERSE_MASS);
     let bound = m.number(0.25) * (damped + m.root(damped * damped + m.number(4.0) * squared));
     let rate = m.most(bound, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
     Corners { back, loss, rate, least }
