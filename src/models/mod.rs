@@ -8,6 +8,8 @@ pub mod axisymmetric;
 pub mod paper;
 pub mod pulse;
 pub mod spatial;
+#[cfg(test)]
+mod step_tests;
 
 use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::paper::case::PaperCase;

@@ -171,7 +171,7 @@ pub(crate) struct Instant {
 }
 
 impl<'a> Motion<'a> {
-    fn new(
+    pub(crate) fn new(
         eye: &'a AxisymmetricEye,
         form: CellLoop,
         blow: &AxisymmetricLoad,

@@ -7,10 +7,10 @@
 //!
 //! Their viscosity is against changes of shape, VT'/VT - V'/V. Two bounds of the step are theirs:
 //! 4/(d + sqrt(d^2 + 4 w^2)) with w^2 = (3/4) Ks j^-4 / VT0 sum |dVT/dx|^2 / (rho V0/8) of the
-//! stiffest and d = 2.5 (3/4) (eta/VT) sum |dVT/dx|^2 / (rho V0/8) of the most damped, and half of
-//! the time in which one would be gone at its present rate. Without w fast small objects fold cells,
-//! without d what is pressed flat is beyond what is stable: along each of its four short edges two
-//! corners damp the same motion.
+//! stiffest and d = 0.7 (3/4) (eta/VT) sum |dVT/dx|^2 / (rho V0/8) of the most damped, and half of
+//! the time in which one would be gone at its present rate. Without w fast small objects fold cells;
+//! without d the bound of crushed cells is up to 1.4 times what a whole mesh bears by its largest
+//! eigenvalue, with it 1.26 times less (a golf ball and a foam ball that crush fat on bone).
 
 #![allow(
     clippy::inline_always,
@@ -139,7 +139,7 @@ pub(crate) fn respond<M: Math>(
     at!(6);
     at!(7);
     let squared = c.get(m, field::CORNER_SPEED) * sixth * stiffest;
-    let damped = m.number(2.5) * eta * damping * sixth * c.get(m, field::INVERSE_MASS);
+    let damped = m.number(0.7) * eta * damping * sixth * c.get(m, field::INVERSE_MASS);
     let bound = m.number(0.25) * (damped + m.root(damped * damped + m.number(4.0) * squared));
     let rate = m.most(bound, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
     Corners { back, loss, rate, least }
