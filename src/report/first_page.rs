@@ -37,7 +37,7 @@ pub fn write(
 ) -> io::Result<()> {
     let what = what(scenario);
     let (injuries, mut notes) = injuries(answer);
-    let figures = figures(answer, chosen)?;
+    let figures = figures(answer, chosen);
     let signs = wrapped(SIGNS, WIDTH);
     let taken = what.len() + injuries.len() + figures.len() + signs.len() + 1;
     let mut left = LINES.saturating_sub(taken);
@@ -124,10 +124,9 @@ fn notes(answer: &Answer, risks: &[Risk]) -> Vec<String> {
 }
 
 /// The figures that lead, with their errors.
-fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
-    let mut text = Vec::new();
+fn figures(answer: &Answer, chosen: bool) -> Vec<String> {
+    let (mut lines, mut cut) = (Vec::new(), false);
     let shown = LEADING.iter().filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
-    let mut cut = false;
     for (of, figure) in shown.take(FIGURES) {
         cut |= figure.cut.is_some();
         let more = match answer.peak(of) {
@@ -135,35 +134,27 @@ fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
             None if unusable(answer).is_some() => "not usable".to_owned(),
             None => SCALE.to_owned(),
         };
-        row(&capital(of.row().label), &figure, &more, &mut text)?;
+        let row = row(&capital(of.row().label), &figure, &more);
+        lines.extend(row.lines().map(str::to_owned));
     }
-    let mut lines: Vec<String> =
-        String::from_utf8_lossy(&text).lines().map(str::to_owned).collect();
-    let chosen = if chosen {
-        let integrator = answer.plan.integrator.name();
-        format!(", {integrator}, steps of {:.4} us", answer.step * 1e6)
-    } else {
-        String::new()
-    };
-    let (signs, level) = (error_signs(answer), answer.case.level());
-    let trust = format!("{signs}; mesh level {level}{chosen}");
+    let mut trust = format!("{}; mesh level {}", error_signs(answer), answer.case.level());
+    if chosen {
+        let (integrator, step) = (answer.plan.integrator.name(), answer.step * 1e6);
+        trust += &format!(", {integrator}, steps of {step:.4} us");
+    }
     lines.extend(wrapped(&trust, WIDTH));
-    if cut {
-        lines.push(cut_signs(std::iter::once(answer)).to_owned());
-    }
-    Ok(lines)
+    lines.extend(cut.then(|| cut_signs(std::iter::once(answer)).to_owned()));
+    lines
 }
 
 /// What limits the results with the next step, in so many lines; how many are left out.
 fn flags(flags: &[Flag], room: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for (i, flag) in flags.iter().enumerate() {
+    for (flag, left_out) in flags.iter().zip((0..flags.len()).rev()) {
         let (name, next) = (flag.kind.name(), flag.kind.next_step());
         let own = wrapped(&format!("FLAG {name}: {}; {next}", flag.message), WIDTH);
-        let last = i + 1 == flags.len();
-        if lines.len() + own.len() + usize::from(!last) > room {
-            let (name, more) = (flags[i].kind.name(), flags.len() - i - 1);
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        if lines.len() + own.len() + usize::from(left_out > 0) > room {
+            let more = if left_out > 0 { format!(" and {left_out} more") } else { String::new() };
             lines.push(format!("FLAG {name}{more}: see --all"));
             break;
         }

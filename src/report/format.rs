@@ -23,6 +23,15 @@ pub fn digits(value: f64, count: i32) -> String {
     }
 }
 
+/// A number with four significant digits, but no zeros at the end of what follows its point.
+pub fn trimmed(value: f64) -> String {
+    let text = significant(value);
+    if text.contains('.') && !text.contains('e') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
 /// An error in percent: two digits are all it can bear.
 pub fn percent(value: f64) -> String {
     match value {
@@ -34,6 +43,11 @@ pub fn percent(value: f64) -> String {
         }
         v => format!("{v:.0} %"),
     }
+}
+
+/// A figure as it is written; a dash where it is not known.
+pub(super) fn or_dash(figure: Option<f64>, written: impl FnOnce(f64) -> String) -> String {
+    figure.map_or_else(|| "-".to_owned(), written)
 }
 
 /// Columns of a line.

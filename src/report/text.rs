@@ -1,18 +1,18 @@
 //! Results as text for a terminal of 80 columns.
 
-use crate::report::figure::{
-    Figure, PARTS, SCALE, cut_signs, error_signs, times_its_limit, unusable, with_unit,
+use crate::report::figure::{Figure, PARTS, SCALE, cut_signs, error_signs};
+use crate::report::figure::{here_and_in_the_limit, times_its_limit, unusable, with_unit};
+use crate::report::format::{
+    WIDTH, block, capital, digits, paragraph, percent, significant, wrapped,
 };
-use crate::report::format::{WIDTH, block, capital, digits, paragraph, percent, significant};
-use crate::report::json::AZIMUTH;
-use crate::report::{errors, limit};
+use crate::report::{json::AZIMUTH, risks};
 
 use crate::answer::results::Results;
-use crate::answer::solve::{Answer, Errors};
+use crate::answer::solve::Answer;
 use crate::plain_text::printable;
 use crate::run::model::{Detail, Shown};
 use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
-use crate::scenario::{Projectile, Scenario};
+use crate::scenario::Scenario;
 use crate::scenario::{direction::o_clock, problem::plain};
 use std::io::{self, Write};
 
@@ -39,7 +39,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     );
     paragraph(&model, out)?;
     writeln!(out)?;
-    crate::report::risks::text(answer, out)?;
+    risks::text(answer, out)?;
     writeln!(out)?;
     damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
@@ -47,28 +47,27 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     let missed = |of: &Quantity| *of == Quantity::Contact && answer.run.missed;
     let listed = |of: &&Quantity| !above.contains(of) && !missed(of) && !of.is_risk();
     for (title, groups) in GROUPS {
-        let mut lines = Vec::new();
-        for &quantity in Quantity::ALL.iter().filter(listed) {
-            let group = quantity.row().trace.map(|trace| trace.place.0);
+        let mut lines: Vec<String> = Vec::new();
+        for &of in Quantity::ALL.iter().filter(listed) {
+            let group = of.row().trace.map(|trace| trace.place.0);
             if group.is_some_and(|group| groups.contains(&group))
-                && let (Some(peak), Some(figure)) =
-                    (answer.peak(quantity), Figure::of(answer, quantity))
+                && let (Some(peak), Some(figure)) = (answer.peak(of), Figure::of(answer, of))
             {
-                let when = remark(scenario, answer, quantity);
-                let when = format!("at {:.3} ms{when}", peak.time * 1e3);
-                row(&capital(quantity.row().label), &figure, &when, &mut lines)?;
+                let when = format!("at {:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of));
+                lines.push(row(&capital(of.row().label), &figure, &when));
             }
         }
         if groups.contains(&Group::Projectile) {
-            rebound(scenario, answer, &mut lines)?;
+            lines.extend(rebound(scenario, answer));
         }
         if !lines.is_empty() {
-            writeln!(out, "{title}")?;
-            out.write_all(&lines)?;
-            writeln!(out)?;
+            writeln!(out, "{title}\n{}\n", lines.join("\n"))?;
         }
     }
-    signs(answer, out)?;
+    writeln!(out, "{}", error_signs(answer))?;
+    if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
+        writeln!(out, "{}", cut_signs(std::iter::once(answer)))?;
+    }
     for detail in &answer.run.details {
         let (label, figure, words) = match &detail.shown {
             Shown::OnLine(label, words) => (label, significant(detail.value), words),
@@ -77,8 +76,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         };
         writeln!(out, "{label:<18} {figure:>9} {words}")?;
     }
-    crate::report::risks::evidence(answer, out)?;
-    Ok(())
+    risks::evidence(answer, out)
 }
 
 /// The words behind a peak and its time, with the clock hour where the place has one.
@@ -99,11 +97,11 @@ pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> Stri
     answer.run.details.iter().find_map(behind).unwrap_or_default()
 }
 
-/// Prints how fast the object goes on or back.
-fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+/// How fast the object goes on or back, and which of its figures come from no checked source.
+fn rebound(scenario: &Scenario, answer: &Answer) -> Vec<String> {
     let figure = Figure::of(answer, Quantity::Rebound);
     let (Some(projectile), Some(mut figure)) = (scenario.projectile(), figure) else {
-        return Ok(());
+        return Vec::new();
     };
     let label = match figure.number.strip_prefix('-') {
         Some(on) => {
@@ -114,25 +112,25 @@ fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Res
         }
         None => "Rebound speed",
     };
-    row(label, &figure, &format!("of {} m/s", projectile.speed_m_s), out)?;
-    unverified(projectile, out)
+    let mut lines = vec![row(label, &figure, &format!("of {} m/s", projectile.speed_m_s))];
+    if !projectile.unverified.is_empty() {
+        let unverified = projectile.unverified.join(", ");
+        lines.extend(wrapped(&format!("Unverified figures: {unverified}"), WIDTH));
+    }
+    lines
 }
 
 /// A row of a result: its name, the figure, and what else is to be said.
-pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
-    let line = format!(
-        "{name:<19} {:>8} {:<3} {:<8} {more}",
-        figure.cell(),
-        figure.unit,
-        figure.off.to_string()
-    );
+pub(super) fn row(name: &str, figure: &Figure, more: &str) -> String {
+    let (cell, unit, off) = (figure.cell(), figure.unit, figure.off.to_string());
+    let line = format!("{name:<19} {cell:>8} {unit:<3} {off:<8} {more}");
     let line = line.trim_end();
     match line.split_once(", ") {
         // Where it happened may need a line of its own.
         Some((when, place)) if line.chars().count() > WIDTH => {
-            writeln!(out, "{when},\n{:12}{place}", "")
+            format!("{when},\n{:12}{place}", "")
         }
-        _ => writeln!(out, "{line}"),
+        _ => line.to_owned(),
     }
 }
 
@@ -142,7 +140,7 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         paragraph(&format!("{why}; raw figures:"), out)?;
     }
     if let Some(index) = Figure::of(answer, Quantity::Damage) {
-        row("Damage index", &index, &format!("({SCALE})"), out)?;
+        writeln!(out, "{}", row("Damage index", &index, &format!("({SCALE})")))?;
     }
     for (of, term) in PARTS {
         let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) else {
@@ -150,59 +148,36 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         };
         let times = times_its_limit(&figure, value, term);
         let limit = with_unit(&term.threshold.to_string(), figure.unit);
-        row(&format!("  {}", of.row().label), &figure, &format!("{times} of {limit}"), out)?;
+        let (name, more) = (format!("  {}", of.row().label), format!("{times} of {limit}"));
+        writeln!(out, "{}", row(&name, &figure, &more))?;
     }
     writeln!(out)
 }
 
-/// What the signs behind the figures mean.
-fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{}", error_signs(answer))?;
-    if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
-        writeln!(out, "{}", cut_signs(std::iter::once(answer)))?;
-    }
-    Ok(())
-}
-
-/// Names the figures of an object that come from no source that was checked.
-fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
-    if input.unverified.is_empty() {
-        return Ok(());
-    }
-    let text = format!("Unverified figures: {}", input.unverified.join(", "));
-    block(&text, "", "", out)
-}
-
-/// Prints what finer meshes tend to, and which results they do not agree on.
-fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
-        writeln!(out, "Damage index: {limit}")?;
-    }
-    let unknown = limit::unknown(answer).unwrap_or_default();
-    block(&unknown, "", "", out)
-}
-
 /// Prints how far the results may be trusted, and how they were computed.
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
-    numerical(&answer.errors, out)?;
-    limits(answer, out)?;
-    let balance = percent(answer.errors.energy_balance);
-    writeln!(out, "Energy balance: within {balance}")?;
-    writeln!(
-        out,
-        "Solved in {:.2} ms by {}: {} steps of {:.4} us{},\nstable up to {:.4} us",
-        answer.solve_time.as_secs_f64() * 1e3,
-        answer.plan.integrator.name(),
-        answer.run.cost.steps,
-        answer.step * 1e6,
-        if answer.case.rules().step_follows_motion { " at rest" } else { "" },
-        answer.step_limit * 1e6,
-    )?;
+    let (errors, rules) = (&answer.errors, answer.case.rules());
+    writeln!(out, "\nStep error: {}", said(&errors.time_step))?;
+    if let Some(other) = largest_other(&errors.time_step) {
+        writeln!(out, "  beside the leading results up to {other}")?;
+    }
+    let mesh = errors.mesh.as_ref().map_or_else(|| "not estimated".to_owned(), said);
+    writeln!(out, "Mesh error: {mesh}")?;
+    if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
+        writeln!(out, "Damage index: {limit}")?;
+    }
+    block(&unknown_limits(answer).unwrap_or_default(), "", "", out)?;
+    writeln!(out, "Energy balance: within {}", percent(errors.energy_balance))?;
+    let (ms, integrator) = (answer.solve_time.as_secs_f64() * 1e3, answer.plan.integrator.name());
+    let [step, limit] = [answer.step, answer.step_limit].map(|step| step * 1e6);
+    let rest = if rules.step_follows_motion { " at rest" } else { "" };
+    write!(out, "Solved in {ms:.2} ms by {integrator}: {} steps ", answer.run.cost.steps)?;
+    writeln!(out, "of {step:.4} us{rest},\nstable up to {limit:.4} us")?;
     let at = answer.run.simulated;
     let why = if answer.pressed_flat() {
         "the eye was pressed flat, and there the model ends"
     } else {
-        answer.case.rules().ends_early
+        rules.ends_early
     };
     if answer.case.ends_by_itself() && !answer.has(FlagKind::WindowCapped) {
         writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
@@ -219,19 +194,38 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     Ok(())
 }
 
-/// Prints the errors of step and mesh.
-fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
-    let said = |of: &Results| {
-        let (damage, worst) = (errors::of_damage(of), errors::worst(of));
-        format!("damage index {damage}, worst {worst}")
-    };
-    writeln!(out, "\nStep error: {}", said(&of.time_step))?;
-    if let Some(other) = errors::largest_other(&of.time_step) {
-        writeln!(out, "  beside the leading results up to {other}")?;
+/// The error of the damage index, and the largest of a leading result with its name, in words.
+fn said(errors: &Results) -> String {
+    let unknown = || "unknown".to_owned();
+    let damage = errors[Quantity::Damage].map_or_else(unknown, percent);
+    let worst = errors.worst().map_or_else(unknown, named);
+    format!("damage index {damage}, worst {worst}")
+}
+
+/// The largest error of a result that does not lead; none if a leading one is larger.
+fn largest_other(errors: &Results) -> Option<String> {
+    let largest = errors.present().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (largest.1 > errors.worst()?.1).then(|| named(largest))
+}
+
+/// The results that finer meshes do not agree on, in a sentence; none where the mesh error was
+/// not estimated or all have one.
+fn unknown_limits(answer: &Answer) -> Option<String> {
+    let known = answer.errors.mesh.as_ref()?.present().next().is_some();
+    let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
+    if answer.pressed_flat() {
+        Some("No eye was tested so hard, so no error is stated".to_owned())
+    } else if !known {
+        Some("Finer meshes agree on no result".to_owned())
+    } else {
+        let some = !names.is_empty();
+        some.then(|| format!("Finer meshes do not agree on {}", names.join("; ")))
     }
-    let mesh = of.mesh.as_ref();
-    let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
-    writeln!(out, "Mesh error: {mesh}")
+}
+
+/// An error with its result.
+fn named((of, error): (Quantity, f64)) -> String {
+    format!("{} ({})", percent(error), of.label())
 }
 
 #[cfg(test)]
@@ -239,6 +233,20 @@ mod tests {
     use super::*;
     use crate::answer::solve::tests::answered;
     use crate::scenario::library::tests::preset;
+
+    #[test]
+    fn the_worst_of_the_leading_results_is_named() {
+        let mut errors = Results::from_fn(|_| None);
+        assert_eq!(said(&errors), "damage index unknown, worst unknown");
+        errors[Quantity::Damage] = Some(0.5);
+        errors[Quantity::ForceTop] = Some(2.0);
+        assert_eq!(said(&errors), "damage index 0.50 %, worst 2.0 % (peak force, top)");
+        errors[Quantity::Contact] = Some(1.0);
+        assert_eq!(said(&errors), "damage index 0.50 %, worst 1.0 % (contact force)");
+        assert_eq!(largest_other(&errors).unwrap(), "2.0 % (peak force, top)");
+        errors[Quantity::Contact] = Some(3.0);
+        assert_eq!(largest_other(&errors), None);
+    }
 
     #[test]
     fn places_around_the_eye_have_clock_hours_in_text_and_data() {

@@ -6,7 +6,7 @@ use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
 use crate::injury::Blow;
-use crate::report::format::significant;
+use crate::report::format::trimmed;
 use crate::run::{quantity::Quantity, result_trace::Group, trace::OtherTrace, trace::Trace};
 
 const SIZE: (u32, u32) = (460, 210);
@@ -116,14 +116,7 @@ impl PageChart {
 
 /// A number on an axis.
 fn short(value: f64) -> String {
-    if value.abs() < 1e-12 {
-        return "0".to_owned();
-    }
-    let text = significant(value);
-    if text.contains('.') && !text.contains('e') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    text
+    if value.abs() < 1e-12 { "0".to_owned() } else { trimmed(value) }
 }
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.

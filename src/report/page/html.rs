@@ -8,12 +8,12 @@ use crate::answer::solve::Answer;
 use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
-use crate::report::figure::{SCALE, unusable};
+use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::format::{capital, percent};
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::page::eye::{Picture, STYLE};
 use crate::report::risks::{first_line, legend, lines, uncounted};
-use crate::report::{compare::Table, limit, page::charts, page::fundus};
+use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
 use crate::scenario::{Scenario, load::to_ron};
 
@@ -190,7 +190,7 @@ fn results(scenario: &Scenario, answer: &Answer) -> Markup {
                 }
             } }
         }
-        @if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
+        @if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
             p.note { "Damage index: " (limit) "." }
         }
         p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \

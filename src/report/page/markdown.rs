@@ -5,10 +5,10 @@ use std::io::{self, Write};
 use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::markdown;
-use crate::report::figure::{SCALE, unusable};
+use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::page::content::{inputs, mesh, rows, sources, version};
 use crate::report::risks::{legend, lines};
-use crate::report::{compare::Table, format::capital, limit};
+use crate::report::{compare::Table, format::capital};
 use crate::run::quantity::Quantity;
 
 /// Writes the page as Markdown.
@@ -59,7 +59,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
-    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
+    if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "\nDamage index: {}.", markdown(&limit))?;
     }
     writeln!(out, "\n| input | value |\n|---|---|")?;
