@@ -79,9 +79,9 @@ mod tests {
 
     #[test]
     fn from_another_preset_it_is_said_whole_or_not_at_all() {
-        let (a, b) = (find("paper-300n").unwrap(), find("bb-56").unwrap());
-        let (a, b) = (a.scenario().unwrap(), b.scenario().unwrap());
-        if let Some(said) = arguments("paper-300n", &a, &b) {
+        let [pulse, bb] =
+            ["paper-300n", "bb-56"].map(|name| find(name).unwrap().scenario().unwrap());
+        if let Some(said) = arguments("paper-300n", &pulse, &bb) {
             assert!(said.contains(&"impact=Projectile".to_owned()), "{said:?}");
         }
     }

@@ -58,9 +58,7 @@ pub fn write(
             left -= 1;
             writeln!(out)?;
         }
-        for line in part {
-            writeln!(out, "{line}")?;
-        }
+        writeln!(out, "{}", part.join("\n"))?;
     }
     writeln!(out, "{MORE}")
 }
@@ -68,8 +66,8 @@ pub fn write(
 /// What hit what, in lines.
 fn what(scenario: &Scenario) -> Vec<String> {
     let object = scenario.projectile().map_or_else(String::new, |object| {
-        let parts = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
-        format!("{} g, {} mm, {} m/s; ", parts[0], parts[1], parts[2])
+        let [mass, wide, speed] = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
+        format!("{mass} g, {wide} mm, {speed} m/s; ")
     });
     let text = format!("{object}{}", scenario.description());
     let name = wrapped(&printable(&scenario.name), WIDTH).into_iter().take(1);
@@ -114,13 +112,12 @@ fn notes(answer: &Answer, risks: &[Risk]) -> Vec<String> {
             }
         }
     }
-    let note = |(note, names): (&str, Vec<&str>)| match names.len() {
-        all if all == risks.len() => note.to_owned(),
-        _ => format!("{}: {note}", names.join(", ")),
+    let note = |(note, names): (&str, Vec<&str>)| {
+        let all = names.len() == risks.len();
+        if all { note.to_owned() } else { format!("{}: {note}", names.join(", ")) }
     };
     let without = uncounted(answer).map(|missing| format!("ranges without {missing}"));
-    let parts = said.into_iter().map(note).chain(without);
-    parts.chain([A_BB.to_owned()]).collect()
+    said.into_iter().map(note).chain(without).chain([A_BB.to_owned()]).collect()
 }
 
 /// The figures that lead, with their errors.

@@ -92,13 +92,10 @@ pub fn capital(label: &str) -> String {
 
 /// A share as whole percent, or finer where it is small.
 pub(super) fn share(risk: f64) -> String {
-    let percent = 100.0 * risk;
-    if percent < 0.1 {
-        "< 0.1 %".to_owned()
-    } else if percent < 9.95 {
-        format!("{percent:.1} %")
-    } else {
-        format!("{percent:.0} %")
+    match 100.0 * risk {
+        percent if percent < 0.1 => "< 0.1 %".to_owned(),
+        percent if percent < 9.95 => format!("{percent:.1} %"),
+        percent => format!("{percent:.0} %"),
     }
 }
 

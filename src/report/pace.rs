@@ -25,8 +25,8 @@ pub struct Pace {
     first: Option<(f64, f64)>,
     /// The share done last.
     share: f64,
-    /// The place in [`SAID`] of the time that is said.
-    said: Option<usize>,
+    /// The time left that is said, in s.
+    said: Option<f64>,
     /// How much is done in 1 s, once that is known.
     rate: Option<f64>,
 }
@@ -48,19 +48,19 @@ impl Pace {
         self.rate = Some(done / took);
         let left = (1.0 - share) * took / done;
         let near = near(left);
-        let keeps = |said: usize| near > said && left < LONGER * SAID[said];
-        self.said = Some(self.said.filter(|said| keeps(*said)).unwrap_or(near));
+        let keeps = |said: &f64| near > *said && left < LONGER * said;
+        self.said = Some(self.said.filter(keeps).unwrap_or(near));
     }
 
     /// How long it takes until this share is done, in words, once that is known.
     pub fn until(&self, share: f64) -> Option<String> {
         let left = (share - self.share).max(0.0) / self.rate?;
-        Some(time(SAID[near(left)]))
+        Some(time(near(left)))
     }
 
     /// How long the rest takes, in s and as it is said, once that is known.
     pub fn left(&self) -> Option<f64> {
-        self.said.map(|said| SAID[said])
+        self.said
     }
 
     /// The share done.
@@ -79,18 +79,15 @@ impl Pace {
 
     /// The progress, and how long the rest takes, once that is known.
     pub fn words(&self, of: Option<usize>) -> String {
-        let done = self.done(of);
-        match self.left() {
-            Some(left) => format!("{done}, {}", time(left)),
-            None => done,
-        }
+        let left = self.said.map_or_else(String::new, |left| format!(", {}", time(left)));
+        self.done(of) + &left
     }
 }
 
-/// The place in [`SAID`] of the least that is no less than this, in s.
-fn near(left: f64) -> usize {
-    let at = SAID.iter().position(|said| left <= *said);
-    at.unwrap_or(SAID.len() - 1)
+/// The least time of [`SAID`] that is no less than this, in s.
+fn near(left: f64) -> f64 {
+    let least = SAID.into_iter().find(|said| left <= *said);
+    least.unwrap_or(SAID[SAID.len() - 1])
 }
 
 fn time(seconds: f64) -> String {

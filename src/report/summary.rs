@@ -25,10 +25,8 @@ pub fn text(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> Stri
     };
     let signs = error_signs(answer);
     let flags: Vec<&str> = answer.flags.iter().map(|flag| flag.kind.name()).collect();
-    let flags = match flags.join(", ") {
-        none if none.is_empty() => "no flags".to_owned(),
-        some => format!("flags: {some}"),
-    };
+    let flags =
+        if flags.is_empty() { "no flags".into() } else { format!("flags: {}", flags.join(", ")) };
     let bb = legend(std::iter::once(answer)).map_or_else(String::new, |bb| format!("; {bb}"));
     let command = command.map_or_else(String::new, |command| format!("{command}\n"));
     format!(

@@ -7,7 +7,8 @@ use plotters::prelude::*;
 use crate::answer::solve::Answer;
 use crate::injury::Blow;
 use crate::report::format::trimmed;
-use crate::run::{quantity::Quantity, result_trace::Group, trace::OtherTrace, trace::Trace};
+use crate::run::trace::{OtherTrace, TRACES, Trace};
+use crate::run::{quantity::Quantity, result_trace::Group};
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -34,7 +35,7 @@ pub struct PageChart {
     pub up: String,
     pub curves: Vec<PlottedCurve>,
     /// Points that stand out, each in the colour of its curve.
-    pub marks: Vec<(usize, (f64, f64))>,
+    marks: Vec<(usize, (f64, f64))>,
 }
 
 /// The range of numbers, 0 among them, with some room above.
@@ -47,6 +48,10 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
 }
 
 impl PageChart {
+    fn over_time(up: &str, curves: Vec<PlottedCurve>) -> Self {
+        Self { across: "ms", up: up.to_owned(), curves, marks: Vec::new() }
+    }
+
     /// Draws it; nothing if there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
         if self.curves.iter().all(|curve| curve.points.is_empty()) {
@@ -64,12 +69,10 @@ impl PageChart {
     /// The names of its curves with the colour of each, to stand where they hide nothing; none of a
     /// single curve, which the title names.
     pub fn names(&self) -> Vec<(&str, String)> {
-        let css = |i: usize| {
-            let RGBColor(red, green, blue) = COLOURS[i % COLOURS.len()];
-            format!("color:rgb({red},{green},{blue})")
-        };
-        let curves = self.curves.iter().enumerate();
-        let named = curves.map(|(i, curve)| (curve.name.as_str(), css(i)));
+        let css =
+            |RGBColor(red, green, blue): &RGBColor| format!("color:rgb({red},{green},{blue})");
+        let coloured = self.curves.iter().zip(COLOURS.iter().cycle());
+        let named = coloured.map(|(curve, colour)| (curve.name.as_str(), css(colour)));
         named.filter(|_| self.curves.len() > 1).collect()
     }
 
@@ -97,18 +100,12 @@ impl PageChart {
             .x_label_formatter(&|x| short(*x))
             .y_label_formatter(&|y| short(*y))
             .draw()?;
-        for (i, curve) in self.curves.iter().enumerate() {
-            let colour = COLOURS[i % COLOURS.len()];
-            chart.draw_series(LineSeries::new(
-                curve.points.iter().copied(),
-                colour.stroke_width(2),
-            ))?;
+        for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
+            let points = curve.points.iter().copied();
+            chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
         }
-        let dots = self
-            .marks
-            .iter()
-            .map(|(curve, point)| Circle::new(*point, 4, COLOURS[curve % COLOURS.len()].filled()));
-        chart.draw_series(dots)?;
+        let dot = |&(curve, point): &(usize, _)| Circle::new(point, 4, COLOURS[curve].filled());
+        chart.draw_series(self.marks.iter().map(dot))?;
         root.present()?;
         Ok(())
     }
@@ -145,26 +142,20 @@ fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
 /// that force they would be flat lines.
 pub fn forces(answer: &Answer) -> PageChart {
     let hit = answer.result(Quantity::Contact).is_some();
-    let nodes = crate::run::trace::TRACES.iter().copied();
+    let nodes = TRACES.iter().copied();
     let nodes = nodes.filter(|course| !hit && course.row().place.0 == Group::NodeForces);
     let courses = [Trace::Other(OtherTrace::Drive)].into_iter().chain(nodes);
-    PageChart {
-        across: "ms",
-        up: "force, N".to_owned(),
-        curves: courses.filter_map(|course| curve(answer, course)).collect(),
-        marks: Vec::new(),
-    }
+    let curves = courses.filter_map(|course| curve(answer, course)).collect();
+    PageChart::over_time("force, N", curves)
 }
 
 /// The pressure where the eye has one, else how far the apex moved.
 pub fn motion(answer: &Answer) -> PageChart {
-    let of = [Quantity::Pressure, Quantity::Apex];
-    let found = of.into_iter().find_map(|of| {
-        let name = format!("{}, {}", of.row().label, of.row().unit);
-        Some((name, curve(answer, Trace::Of(of))?))
-    });
-    let (up, curves) = found.map_or_else(Default::default, |(up, curve)| (up, vec![curve]));
-    PageChart { across: "ms", up, curves, marks: Vec::new() }
+    let of = |of: &Quantity| Some((of.row(), curve(answer, Trace::Of(*of))?));
+    let found = [Quantity::Pressure, Quantity::Apex].iter().find_map(of);
+    let up = found.as_ref().map(|(row, _)| format!("{}, {}", row.label, row.unit));
+    let curves = found.into_iter().map(|(_, curve)| curve).collect();
+    PageChart::over_time(&up.unwrap_or_default(), curves)
 }
 
 /// What drives the eye in each of several answers.
@@ -173,12 +164,7 @@ pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
         let curve = curve(answer, Trace::Other(OtherTrace::Drive))?;
         Some(PlottedCurve { name: name.clone(), ..curve })
     };
-    PageChart {
-        across: "ms",
-        up: "force on the eye, N".to_owned(),
-        curves: answers.iter().filter_map(one).collect(),
-        marks: Vec::new(),
-    }
+    PageChart::over_time("force on the eye, N", answers.iter().filter_map(one).collect())
 }
 
 /// The risk of each injury over what its tissue feels as a share of what brings 50 %, and the blow,

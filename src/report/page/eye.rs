@@ -5,7 +5,6 @@
 //! the globe, each in the colour of its step.
 
 use std::collections::BTreeSet;
-use std::fmt::Write;
 
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Point2;
@@ -120,6 +119,11 @@ impl<'a> Picture<'a> {
         self.anatomy.layers(&self.drawing, frame, detail)
     }
 
+    /// [`Self::view`] as SVG has it.
+    fn view_box(&self) -> String {
+        self.view().map(|side| side.to_string()).join(" ")
+    }
+
     /// Left, top, width and height: the eye at rest, and room for the object before it.
     fn view(&self) -> [i64; 4] {
         let (low, high) = self.drawing.extent();
@@ -160,21 +164,15 @@ impl<'a> Picture<'a> {
     /// The cells that are at one of the `steps` of the field in a frame.
     fn filled(&self, frame: &Frame, steps: &str, of: usize) -> String {
         let at_it = self.cells.iter().zip(steps.chars());
-        let digit = char::from_digit(of as u32, 36);
-        let at_it = at_it.filter(|(_, step)| Some(*step) == digit);
-        at_it.fold(String::new(), |path, (cell, _)| {
-            let corners = cell.corners.map(|node| self.drawing.place(frame, node, 1.0));
-            path + &closed(&corners)
-        })
+        let at_it = at_it.filter(|(_, step)| step.to_digit(36) == Some(of as u32));
+        let place = |node| self.drawing.place(frame, node, 1.0);
+        at_it.map(|(cell, _)| closed(&cell.corners.map(place))).collect()
     }
 
     /// The picture within a page; the script finds its paths by their order.
     pub fn markup(&self, label: &str) -> Markup {
-        let view = self.view().map(|side| side.to_string()).join(" ");
         html! {
-            svg.eye viewBox=(view) role="img" aria-label=(label) {
-                (self.content())
-            }
+            svg.eye viewBox=(self.view_box()) role="img" aria-label=(label) { (self.content()) }
         }
     }
 
@@ -224,16 +222,11 @@ fn moves(lists: &[Vec<i64>]) -> Vec<String> {
 
 /// Small numbers as a sign each, from `=` on; others as `!`, digits and `;`.
 fn packed(numbers: &[i64]) -> String {
-    let sign = |number: i64| char::from(u8::try_from(number + ZERO).unwrap_or(b'!'));
-    numbers.iter().fold(String::new(), |mut text, &number| {
-        if (-32..=33).contains(&number) {
-            text.push(sign(number));
-        } else {
-            // A string takes whatever it is given.
-            let _ = write!(text, "!{number};");
-        }
-        text
-    })
+    let one = |number: &i64| match number {
+        -32..=33 => char::from(u8::try_from(number + ZERO).unwrap_or(b'!')).to_string(),
+        _ => format!("!{number};"),
+    };
+    numbers.iter().map(one).collect()
 }
 
 fn whole(at: Point2<f64>) -> [i64; 2] {
@@ -249,13 +242,12 @@ fn rings(shape: &Shape) -> String {
 }
 
 fn closed(ring: &[Point2<f64>]) -> String {
-    let mut path = String::new();
-    for (i, at) in ring.iter().enumerate() {
+    let signs = std::iter::once('M').chain(std::iter::repeat('L'));
+    let corner = |(at, sign): (&Point2<f64>, char)| {
         let [x, y] = whole(*at);
-        // A string takes whatever it is given.
-        let _ = write!(path, "{}{x} {y}", if i == 0 { 'M' } else { 'L' });
-    }
-    path + "Z"
+        format!("{sign}{x} {y}")
+    };
+    ring.iter().zip(signs).map(corner).collect::<String>() + "Z"
 }
 
 /// A file of the pictures alone, side by side, each with its name and first verdict.
@@ -275,11 +267,9 @@ pub fn pictures(entries: &[Entry]) -> String {
             style { (PreEscaped(STYLE)) }
             rect width="100%" height="100%" fill="white" {}
             @for (x, (entry, answer, picture)) in placed {
-                @let verdict = lines(answer).into_iter().next();
-                @let view = picture.view().map(|side| side.to_string()).join(" ");
-                svg x=(x) width=(side) height=(high) viewBox=(view) { (picture.content()) }
+                svg x=(x) width=(side) height=(high) viewBox=(picture.view_box()) { (picture.content()) }
                 text x=(x + 8) y=(high + 34) { (printable(&entry.scenario.name)) }
-                @if let Some((name, words)) = verdict {
+                @if let Some((name, words)) = lines(answer).first() {
                     // The word and the range; what stands behind them is too long for a picture.
                     @let words = words.split([',', ';', ':']).next().unwrap_or_default();
                     text x=(x + 8) y=(high + 74) { (name) ": " (words) }
@@ -305,13 +295,8 @@ mod tests {
         assert!(answer.run.frames.len() > 400 && picture.frames.len() <= 82);
         let apart = |frame: &Frame| (frame.time - picture.time()).abs();
         let deepest = answer.peak(Quantity::Apex).unwrap().time;
-        assert!(
-            answer
-                .run
-                .frames
-                .iter()
-                .all(|f| (f.time - deepest).abs() >= (picture.time() - deepest).abs())
-        );
+        let off = |time: f64| (time - deepest).abs();
+        assert!(answer.run.frames.iter().all(|f| off(f.time) >= off(picture.time())));
         assert_eq!(apart(picture.frames[picture.peak]), 0.0);
         let motion = picture.motion();
         // As the script reads it.

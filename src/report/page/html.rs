@@ -88,7 +88,7 @@ fn comparison(entries: &[Entry]) -> Markup {
                 table {
                     thead { tr {
                         th { "blow" }
-                        @for (head, unit) in table.heads.iter().zip(&table.units) {
+                        @for (head, unit) in &table.heads {
                             th { (head) br; small { (unit) } }
                         }
                     } }
@@ -183,10 +183,10 @@ fn results(scenario: &Scenario, answer: &Answer) -> Markup {
             thead { tr {
                 th { "result" } th { "value" } th {} th { "at" } th { "step ±" } th { "mesh ±" }
             } }
-            tbody class=[answer.spoiled().map(|_| "raw")] { @for row in rows(scenario, answer) {
+            tbody class=[answer.spoiled().map(|_| "raw")] { @for [name, value, unit, at, step, mesh] in rows(scenario, answer) {
                 tr {
-                    th { (row.name) } td { (row.value) } td.unit { (row.unit) } td { (row.at) }
-                    td { (row.step) } td { (row.mesh) }
+                    th { (name) } td { (value) } td.unit { (unit) } td { (at) }
+                    td { (step) } td { (mesh) }
                 }
             } }
         }

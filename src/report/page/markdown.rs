@@ -50,13 +50,9 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "- FLAG `{}`: {}", flag.kind.name(), markdown(&flag.whole()))?;
     }
     writeln!(out, "\n| result | value | | at | step ± | mesh ± |\n|---|---:|---|---:|---:|---:|")?;
-    for row in rows(&entry.scenario, answer) {
-        let (step, mesh) = (markdown(&row.step), markdown(&row.mesh));
-        writeln!(
-            out,
-            "| {} | {} | {} | {} | {step} | {mesh} |",
-            row.name, row.value, row.unit, row.at
-        )?;
+    for [name, value, unit, at, step, mesh] in rows(&entry.scenario, answer) {
+        let [step, mesh] = [step, mesh].map(|error| markdown(&error));
+        writeln!(out, "| {name} | {value} | {unit} | {at} | {step} | {mesh} |")?;
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
     if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {

@@ -1,6 +1,6 @@
 //! What fills the globe: pressure, strain or the forces on its nodes, from low to high.
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix2, Point2};
 
 use crate::report::picture::in_globe;
 use crate::run::drawing::{Drawing, DrawnCell};
@@ -44,7 +44,6 @@ impl TissueField {
         fields
     }
 
-    /// A word for it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pressure => "pressure",
@@ -71,8 +70,7 @@ impl TissueField {
             Self::Pressure => drawing.pressure(frame, cell),
             Self::Strain => strain(drawing, frame, cell),
             Self::Force => {
-                let forces = cell.corners.map(|node| drawing.force(frame, node));
-                forces.iter().sum::<f64>() / 4.0
+                cell.corners.map(|node| drawing.force(frame, node)).iter().sum::<f64>() / 4.0
             }
         };
         globe.map(|cell| (*cell, value(cell))).collect()
@@ -96,9 +94,8 @@ impl TissueField {
     /// The end of its scale over all frames.
     pub fn largest(self, drawing: &Drawing, frames: &[Frame]) -> f64 {
         let some = frames.iter().step_by(frames.len().div_ceil(FRAMES).max(1));
-        let values = some.flat_map(|frame| self.of_cells(drawing, frame));
-        let mut values: Vec<f64> =
-            values.map(|(_, value)| value).filter(|v| v.is_finite()).collect();
+        let values = some.flat_map(|frame| self.of_cells(drawing, frame)).map(|(_, value)| value);
+        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         if values.is_empty() {
             return 1.0;
         }
@@ -127,21 +124,15 @@ fn strain(drawing: &Drawing, frame: &Frame, cell: &DrawnCell) -> f64 {
     let nodes = cell.corners.map(|node| &drawing.nodes[node]);
     let rest = nodes.map(|node| node.rest);
     let now = nodes.map(|node| frame.positions[node.of]);
-    let diagonals = |p: [nalgebra::Point2<f64>; 4]| {
-        Matrix2::from_columns(&[p[2] - p[0], p[3] - p[1]] as &[Vector2<f64>; 2])
-    };
+    let diagonals = |p: [Point2<f64>; 4]| Matrix2::from_columns(&[p[2] - p[0], p[3] - p[1]]);
     let Some(inverse) = diagonals(rest).try_inverse() else {
         return 0.0;
     };
     let gradient = diagonals(now) * inverse;
     let (sum, product) = (gradient.norm_squared(), gradient.determinant());
     let stretch = (0.5 * (sum + (sum * sum - 4.0 * product * product).max(0.0).sqrt())).sqrt();
-    let around = if drawing.along.is_some() {
-        let radius = |p: [nalgebra::Point2<f64>; 4]| p.iter().map(|p| p.y).sum::<f64>();
-        radius(now) / radius(rest)
-    } else {
-        1.0
-    };
+    let radius = |p: [Point2<f64>; 4]| p.iter().map(|p| p.y).sum::<f64>();
+    let around = if drawing.along.is_some() { radius(now) / radius(rest) } else { 1.0 };
     stretch.max(around) - 1.0
 }
 

@@ -33,21 +33,14 @@ pub enum Part {
     Fat,
     /// The wall around that.
     Bone,
-    /// The optic nerve.
     Nerve,
     /// The inside of the globe, which a field fills.
     Globe,
-    /// The ciliary body.
     Ciliary,
-    /// The lens.
     Lens,
-    /// The iris.
     Iris,
-    /// The retina.
     Retina,
-    /// The sclera.
     Sclera,
-    /// The cornea.
     Cornea,
     /// The part of cornea and sclera that the object presses.
     Pressed,
@@ -69,11 +62,10 @@ impl Part {
 
     /// Whether it lies inside the globe; of its shell nobody asks.
     pub fn is_inside(self) -> Option<bool> {
+        use Part::{Bone, Ciliary, Fat, Globe, Iris, Lens, Nerve, Object, Skin, Sky};
         match self {
-            Self::Globe | Self::Ciliary | Self::Lens | Self::Iris => Some(true),
-            Self::Sky | Self::Object | Self::Skin | Self::Fat | Self::Bone | Self::Nerve => {
-                Some(false)
-            }
+            Globe | Ciliary | Lens | Iris => Some(true),
+            Sky | Object | Skin | Fat | Bone | Nerve => Some(false),
             _ => None,
         }
     }
@@ -82,23 +74,19 @@ impl Part {
 /// A part of the picture: closed lines, filled whichever way they turn.
 #[derive(Debug, Clone)]
 pub struct Shape {
-    /// What it shows.
     pub part: Part,
-    /// Its corners.
     pub rings: Vec<Vec<Point2<f64>>>,
 }
 
 impl Shape {
     fn new(part: Part, ring: Vec<Point2<f64>>) -> Self {
-        let rings = vec![ring];
-        Self { part, rings }
+        Self { part, rings: vec![ring] }
     }
 
     /// Whether a place lies in one of its rings.
     fn holds(&self, at: Point2<f64>) -> bool {
         self.rings.iter().any(|ring| {
-            let next = ring.iter().cycle().skip(1);
-            let crossed = ring.iter().zip(next).filter(|(a, b)| {
+            let crossed = sides(ring).filter(|[a, b]| {
                 let aside = a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
                 (a.y > at.y) != (b.y > at.y) && at.x < aside
             });
@@ -189,8 +177,7 @@ impl Anatomy {
         let DrawnDetail { grain, zoom, .. } = detail;
         let place = |node: usize| drawing.place(frame, node, zoom);
         let moved = |held: &[Held]| -> Vec<Point2<f64>> {
-            let places = held.iter().map(|held| drawing.moved(frame, held, zoom));
-            places.collect()
+            held.iter().map(|held| drawing.moved(frame, held, zoom)).collect()
         };
         let outline = Outline::new(drawing, detail.points, place);
         let wall = wall(drawing, place);
@@ -210,23 +197,25 @@ impl Anatomy {
         }
         layers.push(Shape::new(Part::Globe, outline.points.clone()));
         if !detail.is_small() {
-            for part in &self.ciliary {
-                layers.push(Shape::new(Part::Ciliary, moved(part)));
-            }
+            layers.extend(self.ciliary.iter().map(|part| Shape::new(Part::Ciliary, moved(part))));
         }
         layers.push(Shape::new(Part::Lens, moved(&self.lens)));
-        for part in &self.iris {
-            layers.push(stroke(Part::Iris, &moved(part), IRIS_M.max(grain)));
-        }
+        let iris = |part: &Vec<_>| stroke(Part::Iris, &moved(part), IRIS_M.max(grain));
+        layers.extend(self.iris.iter().map(iris));
         layers.extend(shell_layers(drawing, &outline, ball.as_ref(), detail));
         layers
     }
 }
 
+/// The sides of a closed curve.
+fn sides(ring: &[Point2<f64>]) -> impl Iterator<Item = [Point2<f64>; 2]> {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).map(|(a, b)| [*a, *b])
+}
+
 /// The inner side of bone, from the upper rim to the lower.
 fn wall(drawing: &Drawing, place: impl Fn(usize) -> Point2<f64>) -> Vec<Point2<f64>> {
-    let nodes = drawing.outlines.wall.iter();
-    nodes.map(|node| place(*node)).collect()
+    drawing.outlines.wall.iter().map(|node| place(*node)).collect()
 }
 
 /// The sides of the object's outline in a frame that nothing covers.
@@ -245,10 +234,7 @@ pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
         let middle = nalgebra::center(a, b);
         !covers.iter().flatten().any(|shape| shape.holds(middle))
     };
-    let ring = ball.ring(0.0);
-    let next = ring.iter().cycle().skip(1);
-    let sides = ring.iter().zip(next).map(|(a, b)| [*a, *b]);
-    sides.filter(free).collect()
+    sides(&ball.ring(0.0)).filter(free).collect()
 }
 
 /// What lies between the wall, its free surface and the globe.
@@ -297,12 +283,10 @@ fn shell_layers(
         front(i) < PRESSED && ball.is_some_and(|ball| ball.reaches(outline.points[i], NEAR_M))
     };
     if !small {
-        let ticks = (1..outline.points.len())
-            .filter(|&i| (front(i - 1) < limbus) != (front(i) < limbus) && !pressed(i))
-            .map(|i| outline.tick(i, 0.9e-3, least));
-        let rings = ticks.collect();
-        let part = Part::Limbus;
-        shapes.push(Shape { part, rings });
+        let is_limbus = |i: usize| (front(i - 1) < limbus) != (front(i) < limbus) && !pressed(i);
+        let ticks = (1..outline.points.len()).filter(|i| is_limbus(*i));
+        let rings = ticks.map(|i| outline.tick(i, 0.9e-3, least)).collect();
+        shapes.push(Shape { part: Part::Limbus, rings });
     }
     let deep = if small { 1.0 } else { 0.5 };
     shapes.push(band(Part::Pressed, &pressed, 0.0, deep, 0.0));
@@ -346,8 +330,7 @@ fn bone(wall: &[Point2<f64>]) -> Option<Shape> {
         let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.8;
         rings.push(circle(middle, BONE_M.1));
     }
-    let part = Part::Bone;
-    Some(Shape { part, rings })
+    Some(Shape { part: Part::Bone, rings })
 }
 
 fn circle(middle: Point2<f64>, radius: f64) -> Vec<Point2<f64>> {

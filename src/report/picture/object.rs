@@ -8,7 +8,7 @@
 use nalgebra::{Point2, Vector2};
 
 use crate::report::picture::shell::Outline;
-use crate::report::picture::{Part, Shape, ellipse, left};
+use crate::report::picture::{Part, Shape, ellipse, left, sides};
 use crate::run::drawing::{Drawing, DrawnObject};
 use crate::run::kept::Frame;
 
@@ -92,10 +92,9 @@ impl Hitting {
 
 /// How far from a place a closed curve is first met on the way.
 fn crossing(curve: &[Point2<f64>], from: Point2<f64>, way: Vector2<f64>) -> Option<f64> {
-    let next = curve.iter().cycle().skip(1);
-    let met = curve.iter().zip(next).filter_map(|(a, b)| {
-        let aside = [a, b].map(|p| way.perp(&(p - from)));
-        let along = [a, b].map(|p| way.dot(&(p - from)));
+    let met = sides(curve).filter_map(|side| {
+        let aside = side.map(|p| way.perp(&(p - from)));
+        let along = side.map(|p| way.dot(&(p - from)));
         let meets = (aside[0] > 0.0) != (aside[1] > 0.0);
         let share = aside[0] / (aside[0] - aside[1]);
         meets.then(|| along[0] + share * (along[1] - along[0]))

@@ -3,7 +3,7 @@
 
 use nalgebra::{Point2, Vector2};
 
-use crate::report::picture::{Part, Shape, left};
+use crate::report::picture::{Part, Shape, left, sides};
 use crate::run::drawing::Drawing;
 
 /// How many times as thick as it is the shell is drawn.
@@ -29,9 +29,7 @@ impl Outline {
         let shell = &drawing.outlines.shell;
         let count = shell.len();
         let split = (points / count.max(1)).max(1);
-        let at = |i: usize| place(shell[i % count]);
-        let knots: Vec<_> = (0..count).map(at).collect();
-        let knot = |i: usize| knots[i % count];
+        let knots: Vec<_> = shell.iter().map(|node| place(*node)).collect();
         let rest = |i: usize| {
             let at = drawing.at_rest(&drawing.nodes[shell[i % count]]);
             libm::atan2(at.y, -at.x).abs()
@@ -44,7 +42,7 @@ impl Outline {
             sense: 1.0,
         };
         for i in 0..count {
-            let p = [knot(i + count - 1), knot(i), knot(i + 1), knot(i + 2)].map(|p| p.coords);
+            let p = [i + count - 1, i, i + 1, i + 2].map(|i| knots[i % count].coords);
             let between = |of: &dyn Fn(usize) -> f64, s: f64| of(i) * (1.0 - s) + of(i + 1) * s;
             for k in 0..split {
                 let s = k as f64 / split as f64;
@@ -59,9 +57,7 @@ impl Outline {
                 all.thickness.push(between(&thickness, s));
             }
         }
-        let next = all.points.iter().cycle().skip(1);
-        let pairs = all.points.iter().zip(next);
-        let area: f64 = pairs.map(|(a, b)| a.coords.perp(&b.coords)).sum();
+        let area: f64 = sides(&all.points).map(|[a, b]| a.coords.perp(&b.coords)).sum();
         all.sense = area.signum();
         all
     }
@@ -106,7 +102,7 @@ impl Outline {
         let start = (0..count).find(|i| of(*i).is_none()).unwrap_or(0);
         let (mut outer, mut inner) = (Vec::new(), Vec::new());
         let mut last = None;
-        for i in (start..=start + count).map(|i| i % count) {
+        for (i, ends) in (start..=start + count).map(|i| (i % count, i == start + count)) {
             let here = of(i);
             // It goes on to where the next one begins.
             if let Some(layer) = here.or(last) {
@@ -114,13 +110,11 @@ impl Outline {
                 outer.push(out);
                 inner.push(into);
             }
-            if here.is_none() && last.is_some() {
-                rings.push(closed(&mut outer, &mut inner));
+            if (here.is_none() || ends) && !outer.is_empty() {
+                outer.extend(inner.drain(..).rev());
+                rings.push(std::mem::take(&mut outer));
             }
             last = here;
-        }
-        if !outer.is_empty() {
-            rings.push(closed(&mut outer, &mut inner));
         }
         Shape { part, rings }
     }
@@ -132,10 +126,4 @@ impl Outline {
         let deep = inward * self.thickness[i].max(least);
         vec![at - aside, at + aside, at + aside + deep, at - aside + deep]
     }
-}
-
-fn closed(outer: &mut Vec<Point2<f64>>, inner: &mut Vec<Point2<f64>>) -> Vec<Point2<f64>> {
-    let mut ring = std::mem::take(outer);
-    ring.extend(std::mem::take(inner).into_iter().rev());
-    ring
 }
