@@ -7,13 +7,11 @@ use crate::report::format::{
 };
 use crate::report::{json::AZIMUTH, risks};
 
-use crate::answer::results::Results;
-use crate::answer::solve::Answer;
+use crate::answer::{results::Results, solve::Answer};
 use crate::plain_text::printable;
 use crate::run::model::{Detail, Shown};
 use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
-use crate::scenario::Scenario;
-use crate::scenario::{direction::o_clock, problem::plain};
+use crate::scenario::{Scenario, direction::o_clock, problem::plain};
 use std::io::{self, Write};
 
 /// Results under headings, by what their traces are shown with.

@@ -23,17 +23,14 @@ const COLOURS: [RGBColor; 6] = [
     RGBColor(86, 180, 233),
 ];
 
-/// A curve and what it is called.
-pub struct PlottedCurve {
-    pub name: String,
-    pub points: Vec<(f64, f64)>,
-}
+/// What a curve is called, and its points.
+type Curve = (String, Vec<(f64, f64)>);
 
 /// A chart.
 pub struct PageChart {
     pub across: &'static str,
     pub up: String,
-    pub curves: Vec<PlottedCurve>,
+    curves: Vec<Curve>,
     /// Points that stand out, each in the colour of its curve.
     marks: Vec<(usize, (f64, f64))>,
 }
@@ -48,13 +45,13 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
 }
 
 impl PageChart {
-    fn over_time(up: &str, curves: Vec<PlottedCurve>) -> Self {
+    fn over_time(up: &str, curves: Vec<Curve>) -> Self {
         Self { across: "ms", up: up.to_owned(), curves, marks: Vec::new() }
     }
 
     /// Draws it; nothing if there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
-        if self.curves.iter().all(|curve| curve.points.is_empty()) {
+        if self.curves.iter().all(|(_, points)| points.is_empty()) {
             return None;
         }
         let mut text = String::new();
@@ -72,12 +69,12 @@ impl PageChart {
         let css =
             |RGBColor(red, green, blue): &RGBColor| format!("color:rgb({red},{green},{blue})");
         let coloured = self.curves.iter().zip(COLOURS.iter().cycle());
-        let named = coloured.map(|(curve, colour)| (curve.name.as_str(), css(colour)));
+        let named = coloured.map(|((name, _), colour)| (name.as_str(), css(colour)));
         named.filter(|_| self.curves.len() > 1).collect()
     }
 
     fn draw(&self, text: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
-        let points = || self.curves.iter().flat_map(|curve| &curve.points);
+        let points = || self.curves.iter().flat_map(|(_, points)| points);
         let marks = || self.marks.iter().map(|(_, point)| point);
         let across = points().chain(marks()).map(|(x, _)| *x);
         let across = across.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
@@ -100,8 +97,8 @@ impl PageChart {
             .x_label_formatter(&|x| short(*x))
             .y_label_formatter(&|y| short(*y))
             .draw()?;
-        for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
-            let points = curve.points.iter().copied();
+        for ((_, points), colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
+            let points = points.iter().copied();
             chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
         }
         let dot = |&(curve, point): &(usize, _)| Circle::new(point, 4, COLOURS[curve].filled());
@@ -117,7 +114,7 @@ fn short(value: f64) -> String {
 }
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.
-fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
+fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
     let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
     if values.iter().all(|value| *value == 0.0) {
@@ -135,7 +132,7 @@ fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
         ends.dedup();
         points.extend(ends.into_iter().copied());
     }
-    Some(PlottedCurve { name: course.label(traces).to_owned(), points })
+    Some((course.label(traces).to_owned(), points))
 }
 
 /// What drives the eye, and the forces of the monitored nodes where no object presses on it: beside
@@ -161,8 +158,8 @@ pub fn motion(answer: &Answer) -> PageChart {
 /// What drives the eye in each of several answers.
 pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
     let one = |(name, answer): &(String, &Answer)| {
-        let curve = curve(answer, Trace::Other(OtherTrace::Drive))?;
-        Some(PlottedCurve { name: name.clone(), ..curve })
+        let (_, points) = curve(answer, Trace::Other(OtherTrace::Drive))?;
+        Some((name.clone(), points))
     };
     PageChart::over_time("force on the eye, N", answers.iter().filter_map(one).collect())
 }
@@ -180,10 +177,7 @@ pub fn injuries(answer: &Answer) -> PageChart {
             let share = 0.02 * f64::from(k);
             (share, 100.0 * risk.injury.risk(&of_tissue, share * half))
         };
-        curves.push(PlottedCurve {
-            name: risk.injury.name().to_owned(),
-            points: (0..=100).map(point).collect(),
-        });
+        curves.push((risk.injury.name().to_owned(), (0..=100).map(point).collect()));
         marks.push((i, (at, 100.0 * risk.risk)));
     }
     PageChart {
@@ -203,7 +197,7 @@ mod tests {
         let chart = |points: Vec<(f64, f64)>| PageChart {
             across: "ms",
             up: "force, N".to_owned(),
-            curves: vec![PlottedCurve { name: "a < b".to_owned(), points }],
+            curves: vec![("a < b".to_owned(), points)],
             marks: vec![(0, (1.0, 2.0))],
         };
         let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Point2};
 
-use crate::report::picture::in_globe;
+use crate::report::picture::globe_cells;
 use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::Frame;
 
@@ -65,7 +65,6 @@ impl TissueField {
 
     /// The value of each cell of the globe in a frame.
     fn of_cells(self, drawing: &Drawing, frame: &Frame) -> Vec<(DrawnCell, f64)> {
-        let globe = drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners));
         let value = |cell: &DrawnCell| match self {
             Self::Pressure => drawing.pressure(frame, cell),
             Self::Strain => strain(drawing, frame, cell),
@@ -73,7 +72,7 @@ impl TissueField {
                 cell.corners.map(|node| drawing.force(frame, node)).iter().sum::<f64>() / 4.0
             }
         };
-        globe.map(|cell| (*cell, value(cell))).collect()
+        globe_cells(drawing).map(|cell| (*cell, value(cell))).collect()
     }
 
     /// The value at each node in a frame: the mean of the cells around it.

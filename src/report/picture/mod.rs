@@ -15,9 +15,10 @@ mod shell;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
-use crate::run::drawing::{Drawing, Held};
+use crate::run::drawing::{Drawing, DrawnCell, Held};
 use crate::run::kept::Frame;
 use crate::run::places::{GLOBE_RADIUS_M, Region};
+use object::{Hitting, hidden};
 use shell::Outline;
 
 /// What a place in a picture belongs to.
@@ -182,10 +183,10 @@ impl Anatomy {
         let outline = Outline::new(drawing, detail.points, place);
         let wall = wall(drawing, place);
         let mut layers = Vec::new();
-        let ball = object::Hitting::of(drawing, frame, &outline);
+        let ball = Hitting::of(drawing, frame, &outline);
         if let Some(ball) = &ball {
             layers.extend(ball.shapes(grain));
-            layers.extend(object::hidden(&wall, &outline, ball.direction()));
+            layers.extend(hidden(&wall, &outline, ball.object.direction));
         }
         if let (Some(fat), Some(bone)) = (fat(drawing, &place, &outline, &wall), bone(&wall)) {
             layers.push(fat);
@@ -223,10 +224,10 @@ pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
     let place = |node: usize| drawing.place(frame, node, 1.0);
     let outline = Outline::new(drawing, POINTS, place);
     let wall = wall(drawing, place);
-    let Some(ball) = object::Hitting::of(drawing, frame, &outline) else {
+    let Some(ball) = Hitting::of(drawing, frame, &outline) else {
         return Vec::new();
     };
-    let hidden = object::hidden(&wall, &outline, ball.direction());
+    let hidden = hidden(&wall, &outline, ball.object.direction);
     let fat = fat(drawing, &place, &outline, &wall);
     let globe = Shape::new(Part::Globe, outline.points.clone());
     let covers = [hidden, fat, Some(globe)];
@@ -258,7 +259,7 @@ fn fat(
 fn shell_layers(
     drawing: &Drawing,
     outline: &Outline,
-    ball: Option<&object::Hitting>,
+    ball: Option<&Hitting>,
     detail: DrawnDetail,
 ) -> Vec<Shape> {
     let (small, least) = (detail.is_small(), 1.35 * detail.grain);
@@ -293,10 +294,10 @@ fn shell_layers(
     shapes
 }
 
-/// Whether a cell lies in the globe.
-pub(crate) fn in_globe(drawing: &Drawing, corners: &[usize; 4]) -> bool {
+/// The cells of the globe.
+pub fn globe_cells(drawing: &Drawing) -> impl Iterator<Item = &DrawnCell> {
     let outside = |node: &usize| matches!(drawing.nodes[*node].region, Region::Fat | Region::Orbit);
-    !corners.iter().any(outside)
+    drawing.cells.iter().filter(move |cell| !cell.corners.iter().any(outside))
 }
 
 /// The unit vector a quarter turn to the left.
@@ -328,13 +329,9 @@ fn bone(wall: &[Point2<f64>]) -> Option<Shape> {
     for (edge, next, i) in [(first, wall.get(1)?, 0), (last, &wall[count - 2], count - 1)] {
         let along = (next - edge).normalize();
         let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.8;
-        rings.push(circle(middle, BONE_M.1));
+        rings.push(ellipse(middle, Vector2::x() * BONE_M.1, Vector2::y() * BONE_M.1));
     }
     Some(Shape { part: Part::Bone, rings })
-}
-
-fn circle(middle: Point2<f64>, radius: f64) -> Vec<Point2<f64>> {
-    ellipse(middle, Vector2::x() * radius, Vector2::y() * radius)
 }
 
 fn ellipse(middle: Point2<f64>, a: Vector2<f64>, b: Vector2<f64>) -> Vec<Point2<f64>> {

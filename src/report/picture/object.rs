@@ -25,7 +25,7 @@ const FAR: f64 = 0.3;
 
 /// The object before anything cuts it.
 pub(super) struct Hitting {
-    object: DrawnObject,
+    pub object: DrawnObject,
     middle: Point2<f64>,
     /// Half axes along its way and across, of a cylinder none.
     half: Option<(f64, f64)>,
@@ -46,10 +46,6 @@ impl Hitting {
         let across = (radius * (radius / along).sqrt()).min(WIDEST * radius);
         let middle = rear + direction * along;
         Some(Self { object, middle, half: Some((along, across)) })
-    }
-
-    pub fn direction(&self) -> Vector2<f64> {
-        self.object.direction
     }
 
     /// The object with its outline, at least `grain` thick.

@@ -30,36 +30,29 @@ impl Outline {
         let count = shell.len();
         let split = (points / count.max(1)).max(1);
         let knots: Vec<_> = shell.iter().map(|node| place(*node)).collect();
-        let rest = |i: usize| {
-            let at = drawing.at_rest(&drawing.nodes[shell[i % count]]);
+        let angle = |node: &usize| {
+            let at = drawing.at_rest(&drawing.nodes[*node]);
             libm::atan2(at.y, -at.x).abs()
         };
-        let mut all = Self {
-            points: Vec::with_capacity(count * split),
-            front: Vec::new(),
-            thickness: Vec::new(),
-            split,
-            sense: 1.0,
-        };
+        let angles: Vec<f64> = shell.iter().map(angle).collect();
+        let thick: Vec<f64> = drawing.outlines.thickness.iter().map(|t| THICKER * t).collect();
+        let (mut points, mut front, mut thickness) = (Vec::new(), Vec::new(), Vec::new());
         for i in 0..count {
             let p = [i + count - 1, i, i + 1, i + 2].map(|i| knots[i % count].coords);
-            let between = |of: &dyn Fn(usize) -> f64, s: f64| of(i) * (1.0 - s) + of(i + 1) * s;
-            for k in 0..split {
-                let s = k as f64 / split as f64;
+            for s in (0..split).map(|k| k as f64 / split as f64) {
                 // Catmull and Rom's cubic.
                 let curve = p[1] * 2.0
                     + (p[2] - p[0]) * s
                     + (p[0] * 2.0 - p[1] * 5.0 + p[2] * 4.0 - p[3]) * (s * s)
                     + (p[1] * 3.0 - p[0] - p[2] * 3.0 + p[3]) * (s * s * s);
-                all.points.push(Point2::from(curve * 0.5));
-                all.front.push(between(&rest, s));
-                let thickness = |i: usize| THICKER * drawing.outlines.thickness[i % count];
-                all.thickness.push(between(&thickness, s));
+                points.push(Point2::from(curve * 0.5));
+                let between = |of: &[f64]| of[i] * (1.0 - s) + of[(i + 1) % count] * s;
+                front.push(between(&angles));
+                thickness.push(between(&thick));
             }
         }
-        let area: f64 = sides(&all.points).map(|[a, b]| a.coords.perp(&b.coords)).sum();
-        all.sense = area.signum();
-        all
+        let area: f64 = sides(&points).map(|[a, b]| a.coords.perp(&b.coords)).sum();
+        Self { points, front, thickness, split, sense: area.signum() }
     }
 
     /// Where on the curve a node rests, or the node of the shell next to it.
