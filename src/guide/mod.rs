@@ -28,24 +28,11 @@ macro_rules! topics {
 }
 
 topics! {
-    install = "install",
-    app = "app",
-    keys = "keys",
-    config = "config",
-    ssh = "ssh",
-    scenarios = "scenarios",
-    objects = "objects",
-    model = "model",
-    sides = "sides",
-    glossary = "glossary",
-    accuracy = "accuracy",
-    hard_cases = "hard-cases",
-    evidence = "evidence",
-    injury = "injury",
-    doubt = "doubt",
-    sweeps = "sweeps",
-    report = "report",
-    speed = "speed",
+    install = "install", app = "app", keys = "keys", config = "config", ssh = "ssh",
+    scenarios = "scenarios", objects = "objects", model = "model", sides = "sides",
+    glossary = "glossary", accuracy = "accuracy", hard_cases = "hard-cases",
+    evidence = "evidence", injury = "injury", doubt = "doubt", sweeps = "sweeps",
+    report = "report", speed = "speed",
 }
 
 /// Whether a line of a page is of use on this system: only a shell of Unix can stop the app and go

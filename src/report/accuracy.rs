@@ -11,14 +11,9 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Prints the report on the error of `of`.
-pub fn text(
-    scenario: &Scenario,
-    accuracy: &Accuracy,
-    of: Quantity,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub fn text(name: &str, accuracy: &Accuracy, of: Quantity, out: &mut dyn Write) -> io::Result<()> {
     let counted = format!("M {}", accuracy.element.plural());
-    writeln!(out, "{}: error of the {} against time", printable(&scenario.name), of.label())?;
+    writeln!(out, "{}: error of the {} against time", printable(name), of.label())?;
     writeln!(out, "kernel {}, times are medians of {ROUNDS} runs\n", kernel_name(false))?;
     writeln!(out, "level {counted:>10} {:>12}   mesh error", of.row().short)?;
     for (level, on) in (1..).zip(&accuracy.levels) {

@@ -117,7 +117,6 @@ impl Table {
         block(SIGNS, "", "", out)
     }
 
-    /// Prints it as Markdown.
     pub fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
         let head = |(head, unit): &(&str, &str)| match *unit {
             "" => (*head).to_owned(),

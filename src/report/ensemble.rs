@@ -42,14 +42,9 @@ pub fn bar(correlation: f64, half: usize) -> String {
     format!("{left:>half$}│{right:<half$}")
 }
 
-/// Prints bands, drivers of `drives`, counts and cost.
-pub fn text(
-    scenario: &Scenario,
-    ensemble: &Ensemble,
-    drives: Quantity,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    writeln!(out, "{}", printable(&scenario.name))?;
+/// Prints bands, drivers of one result, counts and cost.
+pub fn text(name: &str, ensemble: &Ensemble, of: Quantity, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}", printable(name))?;
     write!(out, "{} samples of seed {}", ensemble.samples.len(), ensemble.seed)?;
     if ensemble.stopped() {
         write!(out, ", stopped: {} were asked for", ensemble.asked)?;
@@ -77,12 +72,12 @@ pub fn text(
     if ensemble.valid().next().is_none() {
         writeln!(out, "no sample has a valid result")?;
     }
-    writeln!(out, "\nWhat drives {} (rank correlation)", drives.label())?;
-    for (input, correlation) in ensemble.drivers(drives) {
+    writeln!(out, "\nWhat drives {} (rank correlation)", of.label())?;
+    for (input, correlation) in ensemble.drivers(of) {
         let (label, value) = (ensemble.inputs[input].field.label, hundredths(correlation));
         writeln!(out, "{label:<20} {value:>5} {}", bar(correlation, BAR))?;
     }
-    if ensemble.values(drives).is_none() {
+    if ensemble.values(of).is_none() {
         writeln!(out, "the scene has no such result")?;
     }
     if ensemble.inputs.is_empty() {
@@ -210,7 +205,6 @@ fn input(of: &UncertainInput) -> Value {
     })
 }
 
-/// An ensemble as one JSON object.
 pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
     let checks = ensemble.checks();
     let (timing, each) = (&ensemble.timing, core_seconds(ensemble));

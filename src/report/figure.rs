@@ -63,10 +63,7 @@ impl fmt::Display for Off {
 
 /// What the errors behind the figures of a page come from, in words.
 fn causes(errors: &Errors) -> &'static str {
-    match errors.mesh {
-        Some(_) => "step and mesh",
-        None => "step alone, mesh not estimated",
-    }
+    if errors.mesh.is_some() { "step and mesh" } else { "step alone, mesh not estimated" }
 }
 
 /// What the errors behind the figures of an answer are, in words, with their signs.
@@ -103,12 +100,12 @@ pub fn cut_signs<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> &'static 
     }
 }
 
-/// What stands before a result that the run cut off, in words.
-pub fn cut_word(cut: Option<Cut>) -> &'static str {
+/// What stands before a result that the run cut off: as a sign and in words.
+pub fn cut_before(cut: Option<Cut>) -> (&'static str, &'static str) {
     match cut {
-        Some(Cut::AtLeast) => AT_LEAST,
-        Some(Cut::NotFinal) => "so far",
-        None => "",
+        Some(Cut::AtLeast) => ("≥", AT_LEAST),
+        Some(Cut::NotFinal) => ("~", "so far"),
+        None => ("", ""),
     }
 }
 
@@ -142,12 +139,7 @@ impl Figure {
     /// The number as a table shows it: a sign says what the end of the run means for it, see
     /// [`cut_signs`].
     pub fn cell(&self) -> String {
-        let sign = match self.cut {
-            Some(Cut::AtLeast) => "≥",
-            Some(Cut::NotFinal) => "~",
-            None => "",
-        };
-        format!("{sign}{}", self.number)
+        cut_before(self.cut).0.to_owned() + &self.number
     }
 
     /// The figure with at most `count` digits, for narrow places.
@@ -167,7 +159,7 @@ impl Figure {
 impl fmt::Display for Figure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let number = with_unit(&self.number, self.unit);
-        let words = format!("{} {number} {}", cut_word(self.cut), self.off);
+        let words = format!("{} {number} {}", cut_before(self.cut).1, self.off);
         f.write_str(words.trim())
     }
 }

@@ -9,7 +9,6 @@ use crate::report::format::{WIDTH, capital, wrapped};
 use crate::report::{risks::uncounted, text::row};
 use crate::run::{flags::Flag, quantity::Quantity};
 use crate::scenario::{Scenario, problem::plain};
-use std::io::{self, Write};
 
 /// Lines of the page at most: the prompt that follows leaves 23 of 24 on the screen.
 pub const LINES: usize = 23;
@@ -28,13 +27,8 @@ const LEADING: [Quantity; 9] = [
 ];
 const MORE: &str = "More: --all (every result), --json (for programs), contrecoup report (a page)";
 
-/// Prints the page. Numerics that were chosen for a tolerance are said if `chosen`.
-pub fn write(
-    scenario: &Scenario,
-    answer: &Answer,
-    chosen: bool,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+/// The page. Numerics that were chosen for a tolerance are said if `chosen`.
+pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
     let what = what(scenario);
     let (injuries, mut notes) = injuries(answer);
     let figures = figures(answer, chosen);
@@ -53,14 +47,15 @@ pub fn write(
     let flags = flags(&answer.flags, left);
     left -= flags.len().min(left);
     let parts = [what, [injuries, notes].concat(), figures, flags, signs];
-    for (i, part) in parts.iter().filter(|part| !part.is_empty()).enumerate() {
-        if i > 0 && left > 0 {
+    let mut page = String::new();
+    for part in parts.iter().filter(|part| !part.is_empty()) {
+        if !page.is_empty() && left > 0 {
             left -= 1;
-            writeln!(out)?;
+            page.push('\n');
         }
-        writeln!(out, "{}", part.join("\n"))?;
+        page.extend([&part.join("\n"), "\n"]);
     }
-    writeln!(out, "{MORE}")
+    page + MORE + "\n"
 }
 
 /// What hit what, in lines.
@@ -176,9 +171,7 @@ mod tests {
             detail: None,
             time: None,
         }));
-        let mut out = Vec::new();
-        write(&scenario, &answer, true, &mut out).unwrap();
-        let page = String::from_utf8(out).unwrap();
+        let page = text(&scenario, &answer, true);
         assert!(page.lines().count() <= LINES, "{page}");
         assert!(page.lines().all(|line| line.chars().count() <= WIDTH), "{page}");
         assert!(page.contains("not diagnosis"), "{page}");

@@ -9,7 +9,6 @@ fn flags(outcome: &CaseOutcome) -> Vec<&'static str> {
     outcome.flags.iter().map(|kind| kind.name()).collect()
 }
 
-/// Prints the table.
 pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     let line = |[name, verdict, truth, claimed, energy]: [&str; 5]| {
         format!("{name:<29}{verdict:<16}{truth:>11}{claimed:>12}{energy:>12}")
@@ -38,7 +37,6 @@ pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     )
 }
 
-/// The table as one JSON object.
 pub fn json(outcomes: &[CaseOutcome]) -> Value {
     let case = |outcome: &CaseOutcome| {
         json!({

@@ -8,12 +8,10 @@ use crate::run::quantity::Quantity;
 use crate::scenario::fields;
 use serde_json::{Value, json};
 
-/// How rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SweepFormat {
     /// Comma-separated values below a comment and a heading.
     Csv,
-    /// One JSON object a line.
     Json,
 }
 

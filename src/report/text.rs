@@ -211,13 +211,13 @@ fn largest_other(errors: &Results) -> Option<String> {
 fn unknown_limits(answer: &Answer) -> Option<String> {
     let known = answer.errors.mesh.as_ref()?.present().next().is_some();
     let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
-    if answer.pressed_flat() {
-        Some("No eye was tested so hard, so no error is stated".to_owned())
-    } else if !known {
-        Some("Finer meshes agree on no result".to_owned())
-    } else {
-        let some = !names.is_empty();
-        some.then(|| format!("Finer meshes do not agree on {}", names.join("; ")))
+    match names.join("; ") {
+        _ if answer.pressed_flat() => {
+            Some("No eye was tested so hard, so no error is stated".to_owned())
+        }
+        _ if !known => Some("Finer meshes agree on no result".to_owned()),
+        none if none.is_empty() => None,
+        names => Some(format!("Finer meshes do not agree on {names}")),
     }
 }
 

@@ -46,23 +46,24 @@ pub fn brief(search: &ThresholdSearch, crossing: &Crossing) -> String {
 
 /// The words for a target that is never reached, with the range of the result instead.
 pub fn never(search: &ThresholdSearch, threshold: &Threshold) -> String {
-    let (low, high) = (end(search, threshold, false), end(search, threshold, true));
-    format!("Never: {low} to {high}.")
+    format!("Never: {}.", span(search, threshold))
 }
 
-/// The least or the greatest result that was seen, and where.
-fn end(search: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String {
+/// The least and the greatest result that were seen, and where.
+fn span(search: &ThresholdSearch, threshold: &Threshold) -> String {
     let result = |(at, result): &(f64, Result<f64, String>)| Some((*at, *result.as_ref().ok()?));
-    let sign = if highest { -1.0 } else { 1.0 };
-    let known = threshold.seen.iter().filter_map(result);
-    let found = known.min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)));
-    let (at, value) = found.unwrap_or((f64::NAN, f64::NAN));
-    let value = if search.quantity.is_risk() {
-        whole(0.01 * value)
-    } else {
-        with_unit(&significant(value), search.quantity.row().unit)
-    };
-    format!("{value} at {}", with_unit(&significant(at), search.field.unit))
+    let ends = [1.0, -1.0].map(|sign| {
+        let known = threshold.seen.iter().filter_map(result);
+        let least = known.min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)));
+        let (at, value) = least.unwrap_or((f64::NAN, f64::NAN));
+        let value = if search.quantity.is_risk() {
+            whole(0.01 * value)
+        } else {
+            with_unit(&significant(value), search.quantity.row().unit)
+        };
+        format!("{value} at {}", with_unit(&significant(at), search.field.unit))
+    });
+    ends.join(" to ")
 }
 
 /// Prints where the result reaches the value.
@@ -102,8 +103,7 @@ pub fn text(
         count => writeln!(out, "\n{count} crossings: it does not only rise or fall")?,
     }
     writeln!(out, "Looked at {} values from {from} to {to}:", threshold.seen.len())?;
-    let [least, greatest] = [false, true].map(|highest| end(search, threshold, highest));
-    writeln!(out, "{least} to {greatest}")?;
+    writeln!(out, "{}", span(search, threshold))?;
     let refused: Vec<_> = threshold.seen.iter().filter(|(_, r)| r.is_err()).collect();
     if let Some((at, Err(why))) = refused.first() {
         let at = with_unit(&significant(*at), field.unit);
@@ -150,7 +150,6 @@ fn lines(search: &ThresholdSearch, crossing: &Crossing) -> Vec<String> {
     [("step ", crossing.step), ("mesh ", crossing.mesh)].map(off).to_vec()
 }
 
-/// A threshold as one object.
 pub fn json(scenario: &Scenario, search: &ThresholdSearch, threshold: &Threshold) -> Value {
     let crossing = |c: &Crossing| {
         json!({

@@ -69,7 +69,6 @@ fn one(fit: &TissueFit) -> Value {
     })
 }
 
-/// The fit as JSON.
 pub fn json(fits: &TissueFits) -> Value {
     let curves = fits.injuries.iter().map(|fit| (fit.injury.key(), one(fit)));
     let powers = fits.with_inputs.iter().map(|input| {

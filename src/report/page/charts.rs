@@ -6,6 +6,8 @@ use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
 use crate::injury::Blow;
+use crate::many::comparison::Entry;
+use crate::plain_text::printable;
 use crate::report::format::trimmed;
 use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::run::{quantity::Quantity, result_trace::Group};
@@ -26,7 +28,6 @@ const COLOURS: [RGBColor; 6] = [
 /// What a curve is called, and its points.
 type Curve = (String, Vec<(f64, f64)>);
 
-/// A chart.
 pub struct PageChart {
     pub across: &'static str,
     pub up: String,
@@ -156,12 +157,12 @@ pub fn motion(answer: &Answer) -> PageChart {
 }
 
 /// What drives the eye in each of several answers.
-pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
-    let one = |(name, answer): &(String, &Answer)| {
-        let (_, points) = curve(answer, Trace::Other(OtherTrace::Drive))?;
-        Some((name.clone(), points))
+pub fn drives(entries: &[Entry]) -> PageChart {
+    let one = |entry: &Entry| {
+        let (_, points) = curve(entry.answer()?, Trace::Other(OtherTrace::Drive))?;
+        Some((printable(&entry.name).into_owned(), points))
     };
-    PageChart::over_time("force on the eye, N", answers.iter().filter_map(one).collect())
+    PageChart::over_time("force on the eye, N", entries.iter().filter_map(one).collect())
 }
 
 /// The risk of each injury over what its tissue feels as a share of what brings 50 %, and the blow,

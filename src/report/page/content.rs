@@ -4,7 +4,7 @@ use crate::answer::solve::{Answer, Errors};
 use crate::injury::CURVES;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
-use crate::report::figure::{Figure, cut_word, with_unit};
+use crate::report::figure::{Figure, cut_before, with_unit};
 use crate::report::format::{capital, or_dash, percent};
 use crate::report::text::remark;
 use crate::run::kept::{Keep, Spacing};
@@ -43,7 +43,6 @@ pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
     }
 }
 
-/// The version that answered.
 pub(super) fn version() -> String {
     let commit = crate::report::commit().map(|commit| format!(", commit {commit}"));
     format!("contrecoup {}{}", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default())
@@ -75,7 +74,7 @@ pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<[String; 6]> {
     let Errors { time_step, mesh, .. } = &answer.errors;
     let row = |(of, _): (Quantity, f64)| {
         let value = Figure::of(answer, of).map(|figure| {
-            format!("{} {}", cut_word(figure.cut), figure.number).trim_start().to_owned()
+            format!("{} {}", cut_before(figure.cut).1, figure.number).trim_start().to_owned()
         });
         let at = answer
             .peak(of)

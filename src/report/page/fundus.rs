@@ -42,7 +42,6 @@ fn text(radius: f64, turn: f64, ink: &str, words: &str) -> Markup {
     html! { text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill=(ink) { (words) } }
 }
 
-/// The picture.
 pub fn figure(sectors: &Sectors, side: Side) -> Markup {
     let all = sectors.edge.iter().chain(&sectors.back);
     let most = all.copied().fold(f64::MIN_POSITIVE, f64::max);

@@ -20,7 +20,6 @@ use crate::scenario::{Scenario, load::to_ron};
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
-/// The whole page.
 pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFlow<(), String> {
     let mut blows = Vec::with_capacity(entries.len());
     for (done, entry) in entries.iter().enumerate() {
@@ -67,10 +66,6 @@ fn figure(caption: &str, chart: &charts::PageChart) -> Markup {
 /// All blows in one table and one chart.
 fn comparison(entries: &[Entry]) -> Markup {
     let table = Table::of(entries, &leading(entries, None));
-    let answers: Vec<(String, &Answer)> = entries
-        .iter()
-        .filter_map(|entry| Some((printable(&entry.name).into_owned(), entry.answer()?)))
-        .collect();
     html! {
         section.comparison {
             h1 { "Side by side" }
@@ -98,7 +93,7 @@ fn comparison(entries: &[Entry]) -> Markup {
                 }
             }
             @for note in &table.notes { p.note { (printable(note)) } }
-            (figure("Force on the eye", &charts::drives(&answers)))
+            (figure("Force on the eye", &charts::drives(entries)))
         }
     }
 }

@@ -11,7 +11,6 @@ use crate::report::risks::{legend, lines};
 use crate::report::{compare::Table, format::capital};
 use crate::run::quantity::Quantity;
 
-/// Writes the page as Markdown.
 pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
     if entries.len() > 1 {
         writeln!(out, "# Side by side\n")?;

@@ -23,26 +23,20 @@ use crate::run::watch::unwatched;
 pub use crate::report::page::content::keep;
 
 /// What a page is written as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString)]
+#[strum(ascii_case_insensitive)]
 pub enum PageFormat {
-    /// A page for a browser.
+    #[strum(serialize = "html", serialize = "htm")]
     Html,
-    /// Text and tables.
+    #[strum(serialize = "md")]
     Markdown,
-    /// A picture.
     Svg,
 }
 
 impl PageFormat {
     /// By the end of a file's name.
     pub fn of(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "html" | "htm" => Some(Self::Html),
-            "md" => Some(Self::Markdown),
-            "svg" => Some(Self::Svg),
-            _ => None,
-        }
+        path.extension()?.to_str()?.parse().ok()
     }
 }
 

@@ -6,7 +6,6 @@ use crate::report::picture::globe_cells;
 use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::Frame;
 
-/// Steps of the scale.
 pub const STEPS: usize = 11;
 /// Share of all values that the scale holds.
 const HELD: f64 = 0.997;

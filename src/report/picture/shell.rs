@@ -70,7 +70,6 @@ impl Outline {
         angles.max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
     }
 
-    /// Unit vector inwards.
     fn inward(&self, i: usize) -> Vector2<f64> {
         let count = self.points.len();
         let along = self.points[(i + 1) % count] - self.points[(i + count - 1) % count];
