@@ -5,7 +5,7 @@ use crate::scenario::Physiological;
 use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::fit::{Fit, PATH, STEP, Tried};
 use crate::verify::measured_orbit::{FATS_MPA, InOrbit, ORBITS, Row};
-use crate::verify::rerun::{MESHES, OnEach, Rerun};
+use crate::verify::rerun::{OnEach, Rerun};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -35,19 +35,15 @@ fn number(predicted: &Result<f64, String>) -> String {
 }
 
 /// A line of the tables, with figures in columns so wide.
-fn columns(
-    what: &str,
-    measured: &str,
-    width: usize,
-    figures: impl IntoIterator<Item = String>,
-) -> String {
-    let figures = figures.into_iter().map(|figure| format!("{figure:>width$}"));
+fn columns(what: &str, measured: &str, width: usize, figures: &[String]) -> String {
+    let figures = figures.iter().map(|figure| format!("{figure:>width$}"));
     format!("{what:<41}{measured:>13}{}", figures.collect::<String>())
 }
 
 /// The line of an experiment.
 fn figures(experiment: &Experiment, width: usize, values: &[Result<f64, String>]) -> String {
-    columns(experiment.what, &measured(experiment), width, values.iter().map(number))
+    let values: Vec<String> = values.iter().map(number).collect();
+    columns(experiment.what, &measured(experiment), width, &values)
 }
 
 fn note(text: &str, out: &mut dyn Write) -> io::Result<()> {
@@ -89,8 +85,8 @@ fn flag_names(row: &Rerun) -> Vec<&'static str> {
 }
 
 fn lines<'a>(rows: impl IntoIterator<Item = &'a Rerun>, out: &mut dyn Write) -> io::Result<()> {
-    let levels = (1..=MESHES).map(|level| level.to_string());
-    writeln!(out, "{} in", columns("level:", "measured", 7, levels))?;
+    let levels = ["1", "2", "3"].map(str::to_owned);
+    writeln!(out, "{} in", columns("level:", "measured", 7, &levels))?;
     rows.into_iter().try_for_each(|row| line(row, out))
 }
 
@@ -112,21 +108,17 @@ pub fn text((rows, again): &(Vec<Rerun>, InOrbit), out: &mut dyn Write) -> io::R
     block(REMARKS, "", "", out)?;
     writeln!(out, "\nIn the measured orbit (numerics.geometry=Full), mesh level 1")?;
     let fats = FATS_MPA.map(|mpa| mpa.to_string());
-    writeln!(out, "{}", columns("fat, MPa:", "measured", 5, fats))?;
-    orbit_lines(5, &again.fitted, out)?;
+    writeln!(out, "{}", columns("fat, MPa:", "measured", 5, &fats))?;
+    orbit(5, &again.fitted, out)?;
     let misfits = again.misfits().map(|misfit| format!("{misfit:.2}"));
-    writeln!(out, "{}", columns("misfit, as the fit has it", "", 5, misfits))?;
+    writeln!(out, "{}", columns("misfit, as the fit has it", "", 5, &misfits))?;
     let rims = ["round", "real"].map(str::to_owned);
-    writeln!(out, "{}", columns("in an orbit:", "measured", 7, rims))?;
-    orbit_lines(7, &again.others, out)?;
+    writeln!(out, "{}", columns("in an orbit:", "measured", 7, &rims))?;
+    orbit(7, &again.others, out)?;
     writeln!(out, "Research and education, not diagnosis.")
 }
 
-fn orbit_lines<const N: usize>(
-    width: usize,
-    rows: &[Row<N>],
-    out: &mut dyn Write,
-) -> io::Result<()> {
+fn orbit<const N: usize>(width: usize, rows: &[Row<N>], out: &mut dyn Write) -> io::Result<()> {
     for (experiment, values) in rows {
         writeln!(out, "{}", figures(experiment, width, values))?;
         refusals(values, out)?;

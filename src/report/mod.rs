@@ -15,7 +15,6 @@ pub mod pace;
 pub mod page;
 pub mod picture;
 pub mod risks;
-pub mod summary;
 pub mod sweep;
 pub mod text;
 pub mod threshold;

@@ -24,9 +24,9 @@ pub struct Pace {
     /// The share done at the first report, and its time, in s.
     first: Option<(f64, f64)>,
     /// The share done last.
-    share: f64,
-    /// The time left that is said, in s.
-    said: Option<f64>,
+    pub share: f64,
+    /// How long the rest takes, in s and as it is said, once that is known.
+    pub left: Option<f64>,
     /// How much is done in 1 s, once that is known.
     rate: Option<f64>,
 }
@@ -49,23 +49,13 @@ impl Pace {
         let left = (1.0 - share) * took / done;
         let near = near(left);
         let keeps = |said: &f64| near > *said && left < LONGER * said;
-        self.said = Some(self.said.filter(keeps).unwrap_or(near));
+        self.left = Some(self.left.filter(keeps).unwrap_or(near));
     }
 
     /// How long it takes until this share is done, in words, once that is known.
     pub fn until(&self, share: f64) -> Option<String> {
         let left = (share - self.share).max(0.0) / self.rate?;
         Some(time(near(left)))
-    }
-
-    /// How long the rest takes, in s and as it is said, once that is known.
-    pub fn left(&self) -> Option<f64> {
-        self.said
-    }
-
-    /// The share done.
-    pub fn share(&self) -> f64 {
-        self.share
     }
 
     /// The progress as a count of pieces where they are counted, else in %.
@@ -79,7 +69,7 @@ impl Pace {
 
     /// The progress, and how long the rest takes, once that is known.
     pub fn words(&self, of: Option<usize>) -> String {
-        let left = self.said.map_or_else(String::new, |left| format!(", {}", time(left)));
+        let left = self.left.map_or_else(String::new, |left| format!(", {}", time(left)));
         self.done(of) + &left
     }
 }

@@ -27,15 +27,9 @@ const GROUPS: [(&str, &[Group]); 5] = [
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let eye = &answer.case.eye;
     writeln!(out, "{}", printable(&scenario.name))?;
-    let model = format!(
-        "{}; mesh level {}: {} nodes, {} {}",
-        scenario.description(),
-        eye.level(),
-        eye.regions().len(),
-        eye.elements(),
-        eye.rules().element.plural()
-    );
-    paragraph(&model, out)?;
+    let (level, nodes, elements) = (eye.level(), eye.regions().len(), eye.elements());
+    let (what, kind) = (scenario.description(), eye.rules().element.plural());
+    paragraph(&format!("{what}; mesh level {level}: {nodes} nodes, {elements} {kind}"), out)?;
     writeln!(out)?;
     risks::text(answer, out)?;
     writeln!(out)?;

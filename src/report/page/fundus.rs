@@ -21,13 +21,8 @@ fn sector((inner, outer): (f64, f64), (from, to): (f64, f64)) -> String {
         let (x, y) = (radius * libm::sin(turn), -radius * libm::cos(turn));
         format!("{x:.1} {y:.1}")
     };
-    format!(
-        "M{} A{outer} {outer} 0 0 1 {} L{} A{inner} {inner} 0 0 0 {}Z",
-        at(outer, from),
-        at(outer, to),
-        at(inner, to),
-        at(inner, from)
-    )
+    let [a, b, c, d] = [at(outer, from), at(outer, to), at(inner, to), at(inner, from)];
+    format!("M{a} A{outer} {outer} 0 0 1 {b} L{c} A{inner} {inner} 0 0 0 {d}Z")
 }
 
 /// From pale to dark red.

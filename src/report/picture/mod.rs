@@ -265,7 +265,7 @@ fn shell_layers(
     let (small, least) = (detail.is_small(), 1.35 * detail.grain);
     let limbus = drawing.outlines.limbus;
     let band = |part, inside: &dyn Fn(usize) -> bool, from: f64, to: f64, more: f64| {
-        outline.band(part, least, |i| inside(i).then_some((from, to, more)))
+        outline.band(part, least, |i| inside(i).then_some([from, to, more]))
     };
     let front = |i: usize| outline.front[i];
     let behind = |i: usize| front(i) >= RETINA.0;

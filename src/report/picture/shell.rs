@@ -78,14 +78,9 @@ impl Outline {
 
     /// A layer of the shell: `of` a point it says from which to which share of the thickness, and
     /// how far beyond, in m; the thickness is `least` at least.
-    pub fn band(
-        &self,
-        part: Part,
-        least: f64,
-        of: impl Fn(usize) -> Option<(f64, f64, f64)>,
-    ) -> Shape {
+    pub fn band(&self, part: Part, least: f64, of: impl Fn(usize) -> Option<[f64; 3]>) -> Shape {
         let count = self.points.len();
-        let across = |i: usize, (from, to, more): (f64, f64, f64)| {
+        let across = |i: usize, [from, to, more]: [f64; 3]| {
             let (at, inward) = (self.points[i], self.inward(i));
             let thick = self.thickness[i].max(least);
             (at + inward * (from * thick), at + inward * (to * thick + more))
