@@ -35,12 +35,6 @@ pub struct Table {
     remarks: Vec<String>,
 }
 
-/// A result with as many digits as its errors allow, a risk as a range.
-fn cell(answer: &Answer, of: Quantity) -> String {
-    let figure = || Figure::of(answer, of).map(|figure| figure.cell());
-    range(answer, of).or_else(figure).unwrap_or_else(|| "-".to_owned())
-}
-
 impl Table {
     /// The table of these columns.
     pub fn of(entries: &[Entry], columns: &[Quantity]) -> Self {
@@ -49,7 +43,12 @@ impl Table {
         let cells = |answer: &Answer| -> Vec<String> {
             let errors = [answer.errors.time_step_percent(), answer.errors.mesh_percent()];
             let errors = errors.map(|error| error.map_or_else(|| "?".to_owned(), percent));
-            columns.iter().map(|of| cell(answer, *of)).chain(errors).collect()
+            // A result with as many digits as its errors allow, a risk as a range.
+            let cell = |of: &Quantity| {
+                let figure = || Some(Figure::of(answer, *of)?.cell());
+                range(answer, *of).or_else(figure).unwrap_or_else(|| "-".to_owned())
+            };
+            columns.iter().map(cell).chain(errors).collect()
         };
         let row = |entry: &Entry| {
             let none = || vec!["-".to_owned(); heads.len()];

@@ -125,7 +125,10 @@ impl Figure {
     pub fn of(answer: &Answer, of: Quantity) -> Option<Self> {
         let value = answer.result(of)?;
         let off = Off::of(&answer.errors, of);
-        let number = number_of(of, value, |value| number(value, off));
+        let number = number_of(of, value, |value| match off {
+            Off::Limitless => rounded(value, DIGITS.0),
+            off => within(value, off.percent()),
+        });
         let cut = answer.cut(of);
         Some(Self {
             // Of a risk that is less than so much, and may grow, nothing is known.
@@ -253,14 +256,6 @@ fn to_the_place(value: f64, error: f64) -> String {
 /// A number before its unit, if it has one.
 pub fn with_unit(number: &str, unit: &str) -> String {
     format!("{number} {unit}").trim_end().to_owned()
-}
-
-/// A value as its error allows; few digits where the error is not known.
-fn number(value: f64, off: Off) -> String {
-    match off {
-        Off::Limitless => rounded(value, DIGITS.0),
-        off => within(value, off.percent()),
-    }
 }
 
 /// A value with no digit finer than the first one of its error, given in %, but two at least and

@@ -13,19 +13,10 @@ use crate::scenario::{Scenario, problem::plain};
 
 /// Lines of the page at most: the prompt that follows leaves 23 of 24 on the screen.
 pub const LINES: usize = 23;
-/// Figures of the page: the first so many of [`LEADING`] that the scene has.
+/// Figures of the page: the first so many of [`LEADING`] and the forces that the scene has.
 const FIGURES: usize = 5;
-const LEADING: [Quantity; 9] = [
-    Quantity::Damage,
-    Quantity::Apex,
-    Quantity::Pressure,
-    Quantity::Contact,
-    Quantity::Shortening,
-    Quantity::ForceCentre,
-    Quantity::ForceFront,
-    Quantity::ForceRight,
-    Quantity::ForceTop,
-];
+const LEADING: [Quantity; 5] =
+    [Quantity::Damage, Quantity::Apex, Quantity::Pressure, Quantity::Contact, Quantity::Shortening];
 const MORE: &str = "More: --all (every result), --json (for programs), contrecoup report (a page)";
 
 /// The page. Numerics that were chosen for a tolerance are said if `chosen`.
@@ -119,7 +110,8 @@ fn notes(answer: &Answer, risks: &[Risk]) -> Vec<String> {
 /// The figures that lead, with their errors.
 fn figures(answer: &Answer, chosen: bool) -> Vec<String> {
     let (mut lines, mut cut) = (Vec::new(), false);
-    let shown = LEADING.iter().filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
+    let shown = LEADING.iter().chain(&Quantity::FORCES);
+    let shown = shown.filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
     for (of, figure) in shown.take(FIGURES) {
         cut |= figure.cut.is_some();
         let more = match answer.peak(of) {
@@ -232,11 +224,6 @@ mod tests {
         assert!(page.contains("model.rim"), "{page}");
     }
 
-    #[test]
-    fn a_pulse_says_why_there_are_no_injuries() {
-        let paper = page("paper-300n", &[], &[]);
-        assert!(paper.contains("injuries: not told"), "{paper}");
-    }
     #[test]
     fn three_lines_say_what_to_believe_and_a_fourth_repeats_it() {
         let bb = preset("bb-56", &[("window_ms", "0.2")]);

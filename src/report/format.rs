@@ -78,10 +78,8 @@ pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
 /// Prints a text in lines of 80 columns, with what stands before the first and before those that
 /// go on.
 pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
-    for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
-        writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
-    }
-    Ok(())
+    let mut lines = wrapped(text, WIDTH - rest.len()).into_iter().enumerate();
+    lines.try_for_each(|(i, line)| writeln!(out, "{}{line}", if i == 0 { first } else { rest }))
 }
 
 /// `label` with a capital letter.

@@ -29,12 +29,6 @@ fn by_limit(limits: &Limits) -> Value {
     known.collect()
 }
 
-/// When each peak was reached, in ms, by the key of the result.
-fn peak_times(answer: &Answer) -> Value {
-    let timed = |of: &Quantity| Some((of.key(), answer.peak(*of)?.time * 1e3));
-    Quantity::ALL.iter().filter_map(timed).collect()
-}
-
 /// How far the results may be off.
 fn errors(errors: &Errors) -> Value {
     let unknown = errors.without_limit().map(Quantity::key);
@@ -119,7 +113,8 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "no_risks_because": answer.silence(),
         "signs": SIGNS,
     });
-    object["results"]["peak_time_ms_by_result"] = peak_times(answer);
+    let timed = |of: &Quantity| Some((of.key(), answer.peak(*of)?.time * 1e3));
+    object["results"]["peak_time_ms_by_result"] = Quantity::ALL.iter().filter_map(timed).collect();
     let side = scenario.eye_side();
     for detail in &answer.run.details {
         object["results"][detail.key] = json!(detail.value);

@@ -5,14 +5,13 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::format::{capital, percent};
-use crate::report::page::content::{inputs, mesh, rows, sources, version};
+use crate::report::page::content::{closing, inputs, mesh, rows, sources};
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::risks::{first_line, legend, lines, uncounted};
+use crate::report::risks::{first_line, lines, uncounted};
 use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
 use crate::scenario::{Scenario, load::to_ron};
@@ -40,7 +39,11 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
             body {
                 @if entries.len() > 1 { (comparison(entries)) }
                 @for blow in &blows { (blow) }
-                footer { (foot(entries, command)) }
+                footer {
+                    @if let Some(command) = command { p { "The same again: " code { (command) } } }
+                    ol { @for source in sources(entries) { li { (source) } } }
+                    p { (closing(entries)) }
+                }
                 script { (PreEscaped(include_str!("replay.js"))) }
             }
         }
@@ -120,7 +123,12 @@ fn blow(entry: &Entry) -> Markup {
                     }
                     @let motion = charts::motion(answer);
                     div.columns {
-                        div { (eye(answer)) (asked(entry)) }
+                        div {
+                            (eye(answer))
+                            table.inputs { tbody { @for (label, text) in inputs(scenario) {
+                                tr { th { (label) } td { (text) } }
+                            } } }
+                        }
                         div { (results(scenario, answer)) }
                     }
                     div.charts {
@@ -161,16 +169,6 @@ fn eye(answer: &Answer) -> Markup {
     }
 }
 
-fn asked(entry: &Entry) -> Markup {
-    html! {
-        table.inputs { tbody {
-            @for (label, text) in inputs(&entry.scenario) {
-                tr { th { (label) } td { (text) } }
-            }
-        } }
-    }
-}
-
 fn results(scenario: &Scenario, answer: &Answer) -> Markup {
     let balance = percent(answer.errors.energy_balance);
     html! {
@@ -190,15 +188,5 @@ fn results(scenario: &Scenario, answer: &Answer) -> Markup {
         }
         p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \
             - : no error is known." }
-    }
-}
-
-fn foot(entries: &[Entry], command: Option<&str>) -> Markup {
-    html! {
-        @if let Some(command) = command {
-            p { "The same again: " code { (command) } }
-        }
-        ol { @for source in sources(entries) { li { (source) } } }
-        p { (version()) ". " @if let Some(bb) = legend(entries.iter().filter_map(Entry::answer)) { (capital(bb)) ". " } (SIGNS) }
     }
 }

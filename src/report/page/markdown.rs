@@ -2,13 +2,11 @@
 
 use std::io::{self, Write};
 
-use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::markdown;
 use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
-use crate::report::page::content::{inputs, mesh, rows, sources, version};
-use crate::report::risks::{legend, lines};
-use crate::report::{compare::Table, format::capital};
+use crate::report::page::content::{closing, inputs, mesh, rows, sources};
+use crate::report::{compare::Table, risks::lines};
 use crate::run::quantity::Quantity;
 
 pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
@@ -27,9 +25,7 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }
-    let bb = legend(entries.iter().filter_map(Entry::answer));
-    let bb = bb.map_or_else(String::new, |bb| format!("{}. ", capital(bb)));
-    writeln!(out, "\n{}. {bb}{SIGNS}", version())
+    writeln!(out, "\n{}", closing(entries))
 }
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {

@@ -14,7 +14,6 @@ pub(crate) mod html;
 mod markdown;
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::many::comparison::Entry;
@@ -48,10 +47,10 @@ pub fn write(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match form {
-        PageFormat::Html => match html::page(entries, command, &mut unwatched) {
-            ControlFlow::Continue(page) => out.write_all(page.as_bytes()),
-            ControlFlow::Break(()) => Ok(()),
-        },
+        PageFormat::Html => {
+            let page = html::page(entries, command, &mut unwatched);
+            out.write_all(page.continue_value().unwrap_or_default().as_bytes())
+        }
         PageFormat::Markdown => markdown::write(entries, command, out),
         PageFormat::Svg => out.write_all(eye::pictures(entries).as_bytes()),
     }

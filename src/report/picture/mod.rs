@@ -181,7 +181,7 @@ impl Anatomy {
             held.iter().map(|held| drawing.moved(frame, held, zoom)).collect()
         };
         let outline = Outline::new(drawing, detail.points, place);
-        let wall = wall(drawing, place);
+        let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
         let mut layers = Vec::new();
         let ball = Hitting::of(drawing, frame, &outline);
         if let Some(ball) = &ball {
@@ -214,16 +214,11 @@ fn sides(ring: &[Point2<f64>]) -> impl Iterator<Item = [Point2<f64>; 2]> {
     ring.iter().zip(next).map(|(a, b)| [*a, *b])
 }
 
-/// The inner side of bone, from the upper rim to the lower.
-fn wall(drawing: &Drawing, place: impl Fn(usize) -> Point2<f64>) -> Vec<Point2<f64>> {
-    drawing.outlines.wall.iter().map(|node| place(*node)).collect()
-}
-
 /// The sides of the object's outline in a frame that nothing covers.
 pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
     let place = |node: usize| drawing.place(frame, node, 1.0);
     let outline = Outline::new(drawing, POINTS, place);
-    let wall = wall(drawing, place);
+    let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
     let Some(ball) = Hitting::of(drawing, frame, &outline) else {
         return Vec::new();
     };
