@@ -10,7 +10,6 @@ use crate::scenario::Scenario;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// Prints the report on the error of `of`.
 pub fn text(name: &str, accuracy: &Accuracy, of: Quantity, out: &mut dyn Write) -> io::Result<()> {
     let counted = format!("M {}", accuracy.element.plural());
     writeln!(out, "{}: error of the {} against time", printable(name), of.label())?;

@@ -26,8 +26,7 @@ pub fn arguments(source: &str, original: &Scenario, scenario: &Scenario) -> Opti
 
 /// The whole command as a shell takes it.
 pub fn line(subcommand: &str, arguments: &[String]) -> String {
-    let words = ["contrecoup", subcommand].into_iter();
-    let words = words.chain(arguments.iter().map(String::as_str));
+    let words = ["contrecoup", subcommand].into_iter().chain(arguments.iter().map(String::as_str));
     words.map(quoted).collect::<Vec<_>>().join(" ")
 }
 

@@ -36,7 +36,6 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table of these columns.
     pub fn of(entries: &[Entry], columns: &[Quantity]) -> Self {
         let results = columns.iter().map(|of| (of.row().short, of.row().unit));
         let heads: Vec<_> = results.chain([("step", "error"), ("mesh", "error")]).collect();
@@ -109,9 +108,8 @@ impl Table {
         if !(self.notes.is_empty() && self.remarks.is_empty()) {
             writeln!(out)?;
         }
-        for remark in self.notes.iter().chain(&self.remarks) {
-            paragraph(&printable(remark), out)?;
-        }
+        let mut remarks = self.notes.iter().chain(&self.remarks);
+        remarks.try_for_each(|remark| paragraph(&printable(remark), out))?;
         writeln!(out)?;
         block(SIGNS, "", "", out)
     }
@@ -129,9 +127,8 @@ impl Table {
             writeln!(out, "| {} | {} |", markdown(name), cells.join(" | "))?;
         }
         writeln!(out)?;
-        for remark in self.notes.iter().chain(&self.remarks) {
-            writeln!(out, "- {}", markdown(remark))?;
-        }
+        let mut remarks = self.notes.iter().chain(&self.remarks);
+        remarks.try_for_each(|remark| writeln!(out, "- {}", markdown(remark)))?;
         writeln!(out, "\n{SIGNS}")
     }
 }

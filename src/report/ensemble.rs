@@ -17,7 +17,6 @@ const MANY: usize = 1000;
 /// Half the length of a bar of rank correlation, in characters.
 const BAR: usize = 12;
 
-/// A distribution in words.
 pub fn distribution(input: &UncertainInput) -> String {
     let (kind, a, between, b) = match input.shape {
         Shape::LogUniform(a, b) => ("log-uniform", a, "to", b),
@@ -52,9 +51,7 @@ pub fn text(name: &str, ensemble: &Ensemble, of: Quantity, out: &mut dyn Write) 
     writeln!(out, "\n\n{:<22}{:>12}{:>12}{:>12}{:>16}", "", "5 %", "median", "95 %", "as entered")?;
     let mut risks = false;
     for quantity in ensemble.results() {
-        let Some(Band { low, median, high }) = ensemble.band(quantity) else {
-            continue;
-        };
+        let Some(Band { low, median, high }) = ensemble.band(quantity) else { continue };
         if quantity.is_risk() && !risks {
             risks = true;
             writeln!(out, "{:<22}{:>12}{:>12}{:>12}", "", "10 %", "median", "90 %")?;
@@ -115,9 +112,7 @@ fn flat(ensemble: &Ensemble) -> Option<String> {
 fn outside(ensemble: &Ensemble) -> Vec<String> {
     let mut found: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
     for of in ensemble.results() {
-        let Some(input) = ensemble.outside(of) else {
-            continue;
-        };
+        let Some(input) = ensemble.outside(of) else { continue };
         let (why, label) = (input.map(|input| input.field.label), of.label());
         match found.iter_mut().find(|(known, _)| *known == why) {
             Some((_, labels)) => labels.push(label),
@@ -135,9 +130,8 @@ fn outside(ensemble: &Ensemble) -> Vec<String> {
 fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     writeln!(out, "\nThe bands hold {valid} of {done} samples: {}", ensemble.which())?;
-    for (name, count) in ensemble.counts() {
-        writeln!(out, "{count:>7}  {name}")?;
-    }
+    let counts = ensemble.counts();
+    counts.iter().try_for_each(|(name, count)| writeln!(out, "{count:>7}  {name}"))?;
     let Checks { count, refined, missed, first, last } = ensemble.checks();
     let (last, promise) = (percent(last), ensemble.promise);
     if count == 0 {

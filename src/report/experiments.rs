@@ -9,11 +9,6 @@ use crate::verify::rerun::{OnEach, Rerun};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// The bulk modulus of orbital fat that the program takes, in `MPa`.
-fn fat_mpa() -> f64 {
-    Physiological::default().fat_bulk_mpa
-}
-
 const REMARKS: &str = "Each row is run on mesh levels 1, 2 and 3, with the moduli as published; \
     only the bulk modulus of orbital fat is fitted, to the first two rows. In: yes on all levels, part \
     on some, NO on none. Where a source gives one value without a spread, 30 % on both sides counts \
@@ -96,7 +91,8 @@ pub fn text((rows, again): &(Vec<Rerun>, InOrbit), out: &mut dyn Write) -> io::R
     let [first, second, third] = [0, 1, 2].map(inside);
     write!(out, "Of {} comparisons lie inside: {first} on mesh level 1, ", rows.len())?;
     writeln!(out, "{second} on 2, {third} on 3\n")?;
-    let fitted = format!("Fitted: fat of {} MPa was chosen by these", fat_mpa());
+    let fitted =
+        format!("Fitted: fat of {} MPa was chosen by these", Physiological::default().fat_bulk_mpa);
     let tested = "Not fitted, moduli as published: these test the model".to_owned();
     for (heading, of) in [(fitted, true), (tested, false)] {
         let part: Vec<&Rerun> = rows.iter().filter(|r| r.experiment.fitted == of).collect();
@@ -178,8 +174,9 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     let (best, (least, most)) = (&fit.best, fit.nearly);
     write!(out, "Bulk modulus of orbital fat: {} MPa; ", best.mpa)?;
     writeln!(out, "{least} to {most} fit nearly as well.")?;
-    let published = Physiological::PUBLISHED_FAT_BULK_MPA;
-    writeln!(out, "The program takes {}; published is {published}.\n", fat_mpa())?;
+    let (taken, published) =
+        (Physiological::default().fat_bulk_mpa, Physiological::PUBLISHED_FAT_BULK_MPA);
+    writeln!(out, "The program takes {taken}; published is {published}.\n")?;
     writeln!(out, "{:>6}{:>9}{:>8}", "MPa", "misfit", "inside")?;
     for Tried { mpa, misfit, inside, .. } in &fit.tried {
         let chosen = if *mpa == best.mpa { "  taken" } else { "" };

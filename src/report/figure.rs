@@ -148,8 +148,8 @@ impl Figure {
     /// The figure with at most `count` digits, for narrow places.
     #[must_use]
     pub fn coarser(&self, count: i32) -> Self {
-        let number = self.number.parse();
-        let number = number.map_or_else(|_| self.number.clone(), |value| rounded(value, count));
+        let known = self.number.parse().map(|value| rounded(value, count));
+        let number = known.unwrap_or_else(|_| self.number.clone());
         Self { number, ..self.clone() }
     }
 
@@ -315,28 +315,23 @@ mod tests {
 
     #[test]
     fn a_limit_has_no_finer_digits_than_its_error() {
-        let said = |value, error| with_error(&Limit { value, error });
-        assert_eq!(said(18.4123, 1.04), "18.4 ±1.0");
-        assert_eq!(said(18.4123, 0.1234), "18.41 ±0.12");
-        assert_eq!(said(184.123, 12.3), "184 ±12");
-        assert_eq!(said(0.0, 0.0), "0 ±0");
-        assert_eq!(said(1.234e-7, 1.2e-8), "1.234e-7 ±1.2e-8");
+        let limits = [(18.4123, 1.04), (18.4123, 0.1234), (184.123, 12.3), (1.234e-7, 1.2e-8)];
+        let said = limits.map(|(value, error)| with_error(&Limit { value, error }));
+        assert_eq!(said, ["18.4 ±1.0", "18.41 ±0.12", "184 ±12", "1.234e-7 ±1.2e-8"]);
+        assert_eq!(with_error(&Limit { value: 0.0, error: 0.0 }), "0 ±0");
     }
 
     #[test]
     fn digits_end_where_the_error_begins() {
         assert_eq!(within(26.4184, None), "26.42");
-        assert_eq!(within(26.4184, Some(1e-6)), "26.42");
-        assert_eq!(within(3.2184, Some(15.0)), "3.2");
-        assert_eq!(within(0.0, Some(5.0)), "0");
-        assert_eq!(within(26.4184, Some(40.0)), "26");
-        assert_eq!(within(72.93, Some(119.0)), "73");
-        assert_eq!(within(5234.0, Some(40.0)), "5200");
-        assert_eq!(within(9.996, Some(5.0)), "10");
-        assert_eq!(within(-0.0123, Some(10.0)), "-0.012");
+        let of = |(value, percent)| within(value, Some(percent));
+        let small = [(26.4184, 1e-6), (3.2184, 15.0), (0.0, 5.0), (26.4184, 40.0), (72.93, 119.0)];
+        assert_eq!(small.map(of), ["26.42", "3.2", "0", "26", "73"]);
+        let more = [(5234.0, 40.0), (9.996, 5.0), (-0.0123, 10.0)];
+        assert_eq!(more.map(of), ["5200", "10", "-0.012"]);
         assert_eq!(allowing(61.27, Some(0.4)), "61.3");
-        assert_eq!(Off::Known(0.0804).to_string(), "±0.08 %");
-        assert_eq!(Off::Known(4.21).to_string(), "±4.2 %");
+        let off = [0.0804, 4.21].map(|error| Off::Known(error).to_string());
+        assert_eq!(off, ["±0.08 %", "±4.2 %"]);
     }
 
     #[test]

@@ -102,19 +102,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_carry_four_digits() {
-        assert_eq!(significant(26.418_437), "26.42");
-        assert_eq!(significant(0.004_971_1), "0.004971");
-        assert_eq!(significant(1234.5), "1234");
-        assert_eq!(significant(0.0), "0");
-        assert_eq!(significant(-2.5e-9), "-2.500e-9");
-    }
-
-    #[test]
-    fn errors_carry_two_digits() {
-        assert_eq!(percent(0.012_34), "0.012 %");
-        assert_eq!(percent(3.21), "3.2 %");
-        assert_eq!(percent(123.4), "123 %");
-        assert_eq!(percent(1e-7), "< 0.0001 %");
+    fn numbers_carry_four_digits_and_errors_two() {
+        let numbers = [26.418_437, 0.004_971_1, 1234.5, 0.0, -2.5e-9].map(significant);
+        assert_eq!(numbers, ["26.42", "0.004971", "1234", "0", "-2.500e-9"]);
+        let errors = [0.012_34, 3.21, 123.4, 1e-7].map(percent);
+        assert_eq!(errors, ["0.012 %", "3.2 %", "123 %", "< 0.0001 %"]);
     }
 }

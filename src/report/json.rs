@@ -58,7 +58,6 @@ fn folded(fold: &Fold) -> Value {
     })
 }
 
-/// The flags as JSON.
 pub(super) fn flags(flags: &[Flag]) -> Value {
     let one = |flag: &Flag| {
         json!({

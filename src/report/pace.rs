@@ -18,7 +18,6 @@ const LATEST: f64 = 5.0;
 /// The time that is said rises only where the work takes this many times as long.
 const LONGER: f64 = 1.5;
 
-/// The pace of some work.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Pace {
     /// The share done at the first report, and its time, in s.

@@ -65,9 +65,8 @@ pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         paragraph(&format!("{name}: {words}"), out)?;
     }
     if answer.silence().is_none() {
-        let missing = uncounted(answer);
-        let missing = missing.map_or_else(String::new, |missing| format!(", without {missing}"));
-        paragraph(&format!("(ranges of 80 %{missing}; {A_BB})"), out)?;
+        let missing = uncounted(answer).map(|missing| format!(", without {missing}"));
+        paragraph(&format!("(ranges of 80 %{}; {A_BB})", missing.unwrap_or_default()), out)?;
     }
     paragraph(SIGNS, out)
 }
@@ -160,8 +159,8 @@ mod tests {
         for injury in Injury::ALL {
             assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
         }
-        for words in ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"]
-        {
+        let more = ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"];
+        for words in more {
             assert!(page.contains(words), "{words} in\n{page}");
         }
         let cell = range(&bb, Quantity::GlobeRupture).unwrap();

@@ -1,14 +1,13 @@
 //! Results as text for a terminal of 80 columns.
 
+use crate::answer::{results::Results, solve::Answer};
+use crate::plain_text::printable;
 use crate::report::figure::{Figure, PARTS, SCALE, cut_signs, error_signs};
 use crate::report::figure::{here_and_in_the_limit, times_its_limit, unusable, with_unit};
 use crate::report::format::{
     WIDTH, block, capital, digits, paragraph, percent, significant, wrapped,
 };
 use crate::report::{json::AZIMUTH, risks};
-
-use crate::answer::{results::Results, solve::Answer};
-use crate::plain_text::printable;
 use crate::run::model::{Detail, Shown};
 use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
 use crate::scenario::{Scenario, direction::o_clock, problem::plain};
@@ -23,7 +22,6 @@ const GROUPS: [(&str, &[Group]); 5] = [
     ("Forces of single nodes", &[Group::NodeForces]),
 ];
 
-/// Prints the results of an answer.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let eye = &answer.case.eye;
     writeln!(out, "{}", printable(&scenario.name))?;
@@ -91,10 +89,8 @@ pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> Stri
 
 /// How fast the object goes on or back, and which of its figures come from no checked source.
 fn rebound(scenario: &Scenario, answer: &Answer) -> Vec<String> {
-    let figure = Figure::of(answer, Quantity::Rebound);
-    let (Some(projectile), Some(mut figure)) = (scenario.projectile(), figure) else {
-        return Vec::new();
-    };
+    let Some(projectile) = scenario.projectile() else { return Vec::new() };
+    let Some(mut figure) = Figure::of(answer, Quantity::Rebound) else { return Vec::new() };
     let label = match figure.number.strip_prefix('-') {
         Some(on) => {
             figure.number = on.to_owned();
@@ -158,7 +154,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "Damage index: {limit}")?;
     }
-    block(&unknown_limits(answer).unwrap_or_default(), "", "", out)?;
+    block(&unknown_limits(answer), "", "", out)?;
     writeln!(out, "Energy balance: within {}", percent(errors.energy_balance))?;
     let (ms, integrator) = (answer.solve_time.as_secs_f64() * 1e3, answer.plan.integrator.name());
     let [step, limit] = [answer.step, answer.step_limit].map(|step| step * 1e6);
@@ -177,9 +173,7 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
         let window = plain((answer.window() * 1e9).round() / 1e6);
         writeln!(out, "Stopped at {:.3} of {window} ms: {why}", at * 1e3)?;
     }
-    for reason in reasons {
-        writeln!(out, "  {reason}")?;
-    }
+    reasons.iter().try_for_each(|reason| writeln!(out, "  {reason}"))?;
     for flag in &answer.flags {
         paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
     }
@@ -200,18 +194,19 @@ fn largest_other(errors: &Results) -> Option<String> {
     (largest.1 > errors.worst()?.1).then(|| named(largest))
 }
 
-/// The results that finer meshes do not agree on, in a sentence; none where the mesh error was
+/// The results that finer meshes do not agree on, in a sentence; empty where the mesh error was
 /// not estimated or all have one.
-fn unknown_limits(answer: &Answer) -> Option<String> {
-    let known = answer.errors.mesh.as_ref()?.present().next().is_some();
+fn unknown_limits(answer: &Answer) -> String {
+    let Some(mesh) = &answer.errors.mesh else { return String::new() };
     let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
-    match names.join("; ") {
-        _ if answer.pressed_flat() => {
-            Some("No eye was tested so hard, so no error is stated".to_owned())
-        }
-        _ if !known => Some("Finer meshes agree on no result".to_owned()),
-        none if none.is_empty() => None,
-        names => Some(format!("Finer meshes do not agree on {names}")),
+    if answer.pressed_flat() {
+        "No eye was tested so hard, so no error is stated".to_owned()
+    } else if mesh.present().next().is_none() {
+        "Finer meshes agree on no result".to_owned()
+    } else if names.is_empty() {
+        String::new()
+    } else {
+        format!("Finer meshes do not agree on {}", names.join("; "))
     }
 }
 

@@ -79,9 +79,7 @@ pub fn text(
     for crossing in &threshold.crossings {
         let (at, path) = (at(search, crossing), field.path);
         writeln!(out, "{what} at {at} ({path}), {}", direction(crossing))?;
-        for line in lines(search, crossing) {
-            writeln!(out, "  {line}")?;
-        }
+        lines(search, crossing).iter().try_for_each(|line| writeln!(out, "  {line}"))?;
         let mut more = Vec::new();
         if let Some(there) = &crossing.risk {
             more.push(match range(there.range, field.unit) {

@@ -151,9 +151,7 @@ fn blow(entry: &Entry) -> Markup {
 }
 
 fn eye(answer: &Answer) -> Markup {
-    let Some(picture) = Picture::of(answer) else {
-        return html! {};
-    };
+    let Some(picture) = Picture::of(answer) else { return html! {} };
     let time = format!("{:.3} ms", picture.time() * 1e3);
     let label = format!("The eye at {time}, when its apex is deepest");
     html! {

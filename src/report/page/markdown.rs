@@ -15,13 +15,9 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
         Table::of(entries, &leading(entries, None)).markdown(out)?;
         writeln!(out)?;
     }
-    for entry in entries {
-        blow(entry, out)?;
-    }
+    entries.iter().try_for_each(|entry| blow(entry, out))?;
     writeln!(out, "## Sources\n")?;
-    for source in sources(entries) {
-        writeln!(out, "- {}", markdown(source))?;
-    }
+    sources(entries).iter().try_for_each(|source| writeln!(out, "- {}", markdown(source)))?;
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }

@@ -123,9 +123,7 @@ fn strain(drawing: &Drawing, frame: &Frame, cell: &DrawnCell) -> f64 {
     let rest = nodes.map(|node| node.rest);
     let now = nodes.map(|node| frame.positions[node.of]);
     let diagonals = |p: [Point2<f64>; 4]| Matrix2::from_columns(&[p[2] - p[0], p[3] - p[1]]);
-    let Some(inverse) = diagonals(rest).try_inverse() else {
-        return 0.0;
-    };
+    let Some(inverse) = diagonals(rest).try_inverse() else { return 0.0 };
     let gradient = diagonals(now) * inverse;
     let (sum, product) = (gradient.norm_squared(), gradient.determinant());
     let stretch = (0.5 * (sum + (sum * sum - 4.0 * product * product).max(0.0).sqrt())).sqrt();

@@ -219,9 +219,7 @@ pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
     let place = |node: usize| drawing.place(frame, node, 1.0);
     let outline = Outline::new(drawing, POINTS, place);
     let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
-    let Some(ball) = Hitting::of(drawing, frame, &outline) else {
-        return Vec::new();
-    };
+    let Some(ball) = Hitting::of(drawing, frame, &outline) else { return Vec::new() };
     let hidden = hidden(&wall, &outline, ball.object.direction);
     let fat = fat(drawing, &place, &outline, &wall);
     let globe = Shape::new(Part::Globe, outline.points.clone());

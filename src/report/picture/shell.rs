@@ -17,8 +17,6 @@ pub(super) struct Outline {
     pub front: Vec<f64>,
     /// Of the shell as it is drawn, in m.
     thickness: Vec<f64>,
-    /// Points for each node.
-    split: usize,
     /// 1 where the left of the way round lies inside, else -1.
     sense: f64,
 }
@@ -52,7 +50,7 @@ impl Outline {
             }
         }
         let area: f64 = sides(&points).map(|[a, b]| a.coords.perp(&b.coords)).sum();
-        Self { points, front, thickness, split, sense: area.signum() }
+        Self { points, front, thickness, sense: area.signum() }
     }
 
     /// Where on the curve a node rests, or the node of the shell next to it.
@@ -61,7 +59,7 @@ impl Outline {
         let apart = |other: &usize| (rest(*other) - rest(node)).norm();
         let shell = drawing.outlines.shell.iter().map(apart).enumerate();
         let (place, _) = shell.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some(place * self.split)
+        Some(place * self.points.len() / drawing.outlines.shell.len())
     }
 
     /// The point at the back.
