@@ -52,10 +52,8 @@ impl Topic {
     pub fn plain(&self) -> String {
         let mut text = String::new();
         let mut blank = true;
-        for line in self.page.lines() {
-            if line.starts_with("<!--") || line.starts_with("```") || !holds_here(line) {
-                continue;
-            }
+        let read = |line: &&str| !["<!--", "```"].iter().any(|mark| line.starts_with(mark));
+        for line in self.page.lines().filter(read).filter(|line| holds_here(line)) {
             // Where a comment stood between two blank lines, one of them is enough.
             if !(blank && line.is_empty()) {
                 text.extend([line, "\n"]);

@@ -42,14 +42,13 @@ pub fn text(name: &str, accuracy: &Accuracy, of: Quantity, out: &mut dyn Write) 
     }
     writeln!(out, "* nothing that is faster has an error as small\n\nThe cheapest:")?;
     for tolerance in TOLERANCES {
-        let found = cheapest(&fastest, tolerance).map(|at| &fastest[at]);
-        let words = found.map_or_else(
-            || "none of these".to_owned(),
-            |total| {
+        let words = match cheapest(&fastest, tolerance).map(|at| &fastest[at]) {
+            None => "none of these".to_owned(),
+            Some(total) => {
                 let (name, step, ms) = (name(total), total.step * 1e6, total.seconds * 1e3);
                 format!("level {}, {name} at {step:.4} us, {ms:.3} ms", total.level)
-            },
-        );
+            }
+        };
         writeln!(out, "for {tolerance} %: {words}")?;
     }
     Ok(())

@@ -9,11 +9,8 @@ use std::io::{self, Write};
 
 /// An error in percent with two digits, however small.
 fn error(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e3).contains(&value) {
-        percent(value)
-    } else {
-        format!("{value:.1e} %")
-    }
+    let plain = value == 0.0 || (1e-3..1e3).contains(&value);
+    if plain { percent(value) } else { format!("{value:.1e} %") }
 }
 
 fn label(subject: Subject) -> String {

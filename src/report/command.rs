@@ -32,11 +32,12 @@ pub fn line(subcommand: &str, arguments: &[String]) -> String {
 
 /// A word as a shell takes it: braces, which some of them expand, are quoted too.
 fn quoted(word: &str) -> Cow<'_, str> {
-    let quoted = shell_words::quote(word);
-    if quoted == word && word.contains(['{', '}', '~', '!', '^']) {
-        return Cow::Owned(format!("'{word}'"));
+    match shell_words::quote(word) {
+        bare if bare == word && word.contains(['{', '}', '~', '!', '^']) => {
+            format!("'{word}'").into()
+        }
+        quoted => quoted,
     }
-    quoted
 }
 
 #[cfg(test)]

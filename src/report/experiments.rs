@@ -174,9 +174,8 @@ pub fn fit_text(fit: &Fit, out: &mut dyn Write) -> io::Result<()> {
     let (best, (least, most)) = (&fit.best, fit.nearly);
     write!(out, "Bulk modulus of orbital fat: {} MPa; ", best.mpa)?;
     writeln!(out, "{least} to {most} fit nearly as well.")?;
-    let (taken, published) =
-        (Physiological::default().fat_bulk_mpa, Physiological::PUBLISHED_FAT_BULK_MPA);
-    writeln!(out, "The program takes {taken}; published is {published}.\n")?;
+    write!(out, "The program takes {}; ", Physiological::default().fat_bulk_mpa)?;
+    writeln!(out, "published is {}.\n", Physiological::PUBLISHED_FAT_BULK_MPA)?;
     writeln!(out, "{:>6}{:>9}{:>8}", "MPa", "misfit", "inside")?;
     for Tried { mpa, misfit, inside, .. } in &fit.tried {
         let chosen = if *mpa == best.mpa { "  taken" } else { "" };

@@ -200,12 +200,11 @@ pub const PARTS: [(Quantity, Term); 3] = [
 /// of the peak at any moment; a trace of no result has none.
 pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
+    let hit = answer.result(Quantity::Contact).is_some();
     let of = match course {
         Trace::Of(of) => of,
         // What drives an eye that is hit is a result of its own.
-        Trace::Other(OtherTrace::Drive) if answer.result(Quantity::Contact).is_some() => {
-            Quantity::Contact
-        }
+        Trace::Other(OtherTrace::Drive) if hit => Quantity::Contact,
         Trace::Other(_) => {
             let value = settled(value, NEGLIGIBLE_NOW);
             // No error is estimated of the energies, so they have the digits that any result has.

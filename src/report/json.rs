@@ -60,11 +60,8 @@ fn folded(fold: &Fold) -> Value {
 
 pub(super) fn flags(flags: &[Flag]) -> Value {
     let one = |flag: &Flag| {
-        json!({
-            "kind": flag.kind.name(),
-            "message": flag.whole(),
-            "time_ms": flag.time.map(|t| t * 1e3),
-        })
+        let (kind, ms) = (flag.kind.name(), flag.time.map(|time| time * 1e3));
+        json!({ "kind": kind, "message": flag.whole(), "time_ms": ms })
     };
     flags.iter().map(one).collect()
 }
@@ -76,9 +73,8 @@ pub(super) fn evaluations(element: Element) -> String {
 
 /// The keys of the results that the end of the run cut off in this way.
 pub(super) fn cut(answer: &Answer, how: Cut) -> Vec<&'static str> {
-    let present = answer.results();
-    let present = present.present().filter(|(of, _)| answer.cut(*of) == Some(how));
-    present.map(|(of, _)| of.key()).collect()
+    let is_cut = |(of, _): &(Quantity, f64)| answer.cut(*of) == Some(how);
+    answer.results().present().filter(is_cut).map(|(of, _)| of.key()).collect()
 }
 
 /// An answer as one object; `reasons` say how its numerics were chosen.

@@ -39,8 +39,8 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     for (title, groups) in GROUPS {
         let mut lines: Vec<String> = Vec::new();
         for &of in Quantity::ALL.iter().filter(listed) {
-            let group = of.row().trace.map(|trace| trace.place.0);
-            if group.is_some_and(|group| groups.contains(&group))
+            if let Some(trace) = of.row().trace
+                && groups.contains(&trace.place.0)
                 && let (Some(peak), Some(figure)) = (answer.peak(of), Figure::of(answer, of))
             {
                 let when = format!("at {:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of));

@@ -119,7 +119,7 @@ impl<'a> Picture<'a> {
     }
 
     /// [`Self::view`] as SVG has it.
-    fn view_box(&self) -> String {
+    pub fn view_box(&self) -> String {
         self.view().map(|side| side.to_string()).join(" ")
     }
 
@@ -131,8 +131,8 @@ impl<'a> Picture<'a> {
         [left, top, right - left, bottom - top]
     }
 
-    /// What stands within the picture.
-    fn content(&self) -> Markup {
+    /// What stands within the picture; the script finds its paths by their order.
+    pub fn content(&self) -> Markup {
         let frame = self.frames[self.peak];
         let [left, top, wide, high] = self.view();
         let (name, end) = (self.field.0.name(), self.field.0.figure(self.field.1));
@@ -167,13 +167,6 @@ impl<'a> Picture<'a> {
         let at_it = at_it.filter(|(_, step)| step.to_digit(36) == Some(of as u32));
         let place = |node| self.drawing.place(frame, node, 1.0);
         at_it.map(|(cell, _)| closed(&cell.corners.map(place))).collect()
-    }
-
-    /// The picture within a page; the script finds its paths by their order.
-    pub fn markup(&self, label: &str) -> Markup {
-        html! {
-            svg.eye viewBox=(self.view_box()) role="img" aria-label=(label) { (self.content()) }
-        }
     }
 
     /// Everything that the script moves the paths by: of the first frame the places, of each other

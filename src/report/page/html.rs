@@ -111,9 +111,7 @@ fn blow(entry: &Entry) -> Markup {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
-                    @for (name, words) in lines(answer) {
-                        p.verdict { strong { (name) } ": " (words) }
-                    }
+                    @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
                     @if let Some(missing) = uncounted(answer) {
                         p.note { "Ranges of 80 %, still without " (missing) "." }
                     }
@@ -142,10 +140,7 @@ fn blow(entry: &Entry) -> Markup {
                     }
                 }
             }
-            details.screen {
-                summary { "The scenario as a file" }
-                pre { (to_ron(scenario)) }
-            }
+            details.screen { summary { "The scenario as a file" } pre { (to_ron(scenario)) } }
         }
     }
 }
@@ -157,7 +152,7 @@ fn eye(answer: &Answer) -> Markup {
     html! {
         figure.replay {
             figcaption { "The eye at " output { (time) } }
-            (picture.markup(&label))
+            svg.eye viewBox=(picture.view_box()) role="img" aria-label=(label) { (picture.content()) }
             div.screen {
                 button type="button" { "Play" }
                 input type="range" min="0" aria-label="time";

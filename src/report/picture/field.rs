@@ -31,16 +31,14 @@ impl TissueField {
     /// All that an eye has, what tells most of a blow first.
     pub fn all(drawing: &Drawing, frames: &[Frame]) -> Vec<Self> {
         let pressures = frames.iter().any(|frame| !frame.cells.is_empty());
-        let mut fields = match drawing.object {
+        match drawing.object {
             _ if !pressures => vec![Self::Force, Self::Strain],
             None => vec![Self::Force, Self::Pressure, Self::Strain],
-            Some(object) if object.radius < LARGE_M => vec![Self::Strain, Self::Pressure],
-            Some(_) => vec![Self::Pressure, Self::Strain],
-        };
-        if drawing.object.is_some() {
-            fields.push(Self::Force);
+            Some(object) if object.radius < LARGE_M => {
+                vec![Self::Strain, Self::Pressure, Self::Force]
+            }
+            Some(_) => vec![Self::Pressure, Self::Strain, Self::Force],
         }
-        fields
     }
 
     pub fn name(self) -> &'static str {
