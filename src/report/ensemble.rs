@@ -100,12 +100,8 @@ fn nominal(ensemble: &Ensemble, of: Quantity) -> Option<f64> {
 fn flat(ensemble: &Ensemble) -> Option<String> {
     let flat = ensemble.valid().filter(|(_, run)| run.pressed_flat()).count();
     let of = ensemble.valid().count();
-    (flat > 0).then(|| {
-        format!(
-            "! in {flat} of {of} samples the eye was pressed flat: their results are at least so \
-             large, and no eye was tested so hard"
-        )
-    })
+    let why = "their results are at least so large, and no eye was tested so hard";
+    (flat > 0).then(|| format!("! in {flat} of {of} samples the eye was pressed flat: {why}"))
 }
 
 /// Which results lie outside their bands as they stand, one line for each input that may be why.

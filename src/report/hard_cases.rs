@@ -29,12 +29,12 @@ pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     let (cases, wrong) = (outcomes.len(), count(CaseVerdict::Wrong));
     write!(out, "\n{cases} cases: {accurate} accurate, {flagged} flagged, ")?;
     writeln!(out, "{unpredictable} not predictable, {refused} refused, {wrong} wrong")?;
+    writeln!(out, "True error: the largest of damage, apex displacement and four peak forces,")?;
     writeln!(
         out,
-        "True error: the largest of damage, apex displacement and four peak forces,\n\
-         against references of much shorter steps on the same mesh. Claimed: step error.\n\
-         Energy: what the energies miss of the work in."
-    )
+        "against references of much shorter steps on the same mesh. Claimed: step error."
+    )?;
+    writeln!(out, "Energy: what the energies miss of the work in.")
 }
 
 pub fn json(outcomes: &[CaseOutcome]) -> Value {

@@ -37,12 +37,9 @@ pub fn legend<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> Option<&'sta
 pub fn first_line(answer: &Answer) -> String {
     let said = lines(answer);
     let (name, words) = &said[0];
-    match said.last() {
-        Some((_, of_all)) if answer.spoiled().is_some() && said.len() > 1 => {
-            format!("{name}: {words}; {of_all}")
-        }
-        _ => format!("{name}: {words}"),
-    }
+    let of_all = said.last().filter(|_| answer.spoiled().is_some() && said.len() > 1);
+    let of_all = of_all.map_or_else(String::new, |(_, words)| format!("; {words}"));
+    format!("{name}: {words}{of_all}")
 }
 
 /// What the ranges do not hold yet, in words; none where they hold all.

@@ -162,11 +162,8 @@ pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Re
     write!(out, "Solved in {ms:.2} ms by {integrator}: {} steps ", answer.run.cost.steps)?;
     writeln!(out, "of {step:.4} us{rest},\nstable up to {limit:.4} us")?;
     let at = answer.run.simulated;
-    let why = if answer.pressed_flat() {
-        "the eye was pressed flat, and there the model ends"
-    } else {
-        rules.ends_early
-    };
+    let flat = "the eye was pressed flat, and there the model ends";
+    let why = if answer.pressed_flat() { flat } else { rules.ends_early };
     if answer.case.ends_by_itself() && !answer.has(FlagKind::WindowCapped) {
         writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
     } else if at < 0.999_999 * answer.window() {

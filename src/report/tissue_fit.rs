@@ -8,11 +8,9 @@ use std::io::{self, Write};
 
 /// Prints each curve as it was found beside the one that is shipped, then what each kind felt.
 pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
-    paragraph(
-        "Curves of injury against what the tissue felt, matched by running the objects behind the \
-         published curves: found (shipped)",
-        out,
-    )?;
+    let what = "Curves of injury against what the tissue felt, matched by running the objects behind \
+                the published curves: found (shipped)";
+    paragraph(what, out)?;
     let line = |[name, unit, half, eyes, known]: [&str; 5]| {
         format!("{name:<19}{unit:>6} {half:>17} {eyes:>16} {known:>16}")
     };
@@ -26,11 +24,9 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}", line([fit.injury.name(), row.unit, &half, &eyes, &known]))?;
     }
     writeln!(out)?;
-    paragraph(
-        "The last two are standard deviations of log10 of the measure. Each kind at the published \
-         energy of 50 %, and the risk that the curve without that kind tells of it:",
-        out,
-    )?;
+    let what = "The last two are standard deviations of log10 of the measure. Each kind at the \
+                published energy of 50 %, and the risk that the curve without that kind tells of it:";
+    paragraph(what, out)?;
     for fit in &fits.injuries {
         let row = fit.injury.measure().row();
         writeln!(out, "\n{}, {} in {}", fit.injury.name(), row.label, row.unit)?;

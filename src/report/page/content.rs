@@ -21,14 +21,12 @@ const LIVELY: f64 = 0.6e-3;
 
 /// What a run must keep for a page: traces, and the frames of its replay.
 pub fn keep(scenario: &Scenario) -> Keep {
-    Keep {
-        traces: true,
-        frames: Some(match scenario.known_window_ms() {
-            Some(window) => spacing(window * 1e-3, FRAMES),
-            // Of these the page takes as many as of others.
-            None => Spacing::doubling(2 * FRAMES as u32, 0.5 * LIVELY / FRAMES),
-        }),
-    }
+    let frames = match scenario.known_window_ms() {
+        Some(window) => spacing(window * 1e-3, FRAMES),
+        // Of these the page takes as many as of others.
+        None => Spacing::doubling(2 * FRAMES as u32, 0.5 * LIVELY / FRAMES),
+    };
+    Keep { traces: true, frames: Some(frames) }
 }
 
 /// The times of the frames of a replay; `window` is in s.

@@ -107,13 +107,8 @@ pub struct DrawnDetail {
     pub points: usize,
 }
 
-impl DrawnDetail {
-    /// Whether several thin layers would only blur each other.
-    fn is_small(self) -> bool {
-        self.grain > 0.85e-3
-    }
-}
-
+/// A grain above which several thin layers would only blur each other, in m.
+const SMALL_M: f64 = 0.85e-3;
 /// Front angle in rad behind which there is retina, and its thickness as drawn, in m.
 const RETINA: (f64, f64) = (62.0 * PI / 180.0, 0.62e-3);
 /// Front angle beyond which nothing of the globe counts as pressed, in rad.
@@ -197,7 +192,7 @@ impl Anatomy {
             layers.push(bone);
         }
         layers.push(Shape::new(Part::Globe, outline.points.clone()));
-        if !detail.is_small() {
+        if grain <= SMALL_M {
             layers.extend(self.ciliary.iter().map(|part| Shape::new(Part::Ciliary, moved(part))));
         }
         layers.push(Shape::new(Part::Lens, moved(&self.lens)));
@@ -255,7 +250,7 @@ fn shell_layers(
     ball: Option<&Hitting>,
     detail: DrawnDetail,
 ) -> Vec<Shape> {
-    let (small, least) = (detail.is_small(), 1.35 * detail.grain);
+    let (small, least) = (detail.grain > SMALL_M, 1.35 * detail.grain);
     let limbus = drawing.outlines.limbus;
     let band = |part, inside: &dyn Fn(usize) -> bool, from: f64, to: f64, more: f64| {
         outline.band(part, least, |i| inside(i).then_some([from, to, more]))
