@@ -87,10 +87,11 @@ impl Table {
             let cells = lines.iter().map(|(_, cells)| cells[at].chars().count());
             cells.max().unwrap_or(0).max(NARROWEST) + 1
         };
+        let widths: Vec<usize> = (0..self.heads.len()).map(width).collect();
         let mut first = 0;
-        while first < self.heads.len() {
-            let fits = |last: &usize| name + (first..*last).map(width).sum::<usize>() <= WIDTH;
-            let fitting = (first + 2..=self.heads.len()).take_while(fits).last();
+        while first < widths.len() {
+            let fits = |last: &usize| name + widths[first..*last].iter().sum::<usize>() <= WIDTH;
+            let fitting = (first + 2..=widths.len()).take_while(fits).last();
             let last = fitting.unwrap_or(first + 1);
             if first > 0 {
                 writeln!(out)?;
@@ -98,8 +99,8 @@ impl Table {
             for (whole, cells) in &lines {
                 let short: String = whole.chars().take(name).collect();
                 write!(out, "{short:<name$}")?;
-                for at in first..last {
-                    write!(out, "{:>1$}", cells[at], width(at))?;
+                for (cell, &wide) in cells[first..last].iter().zip(&widths[first..last]) {
+                    write!(out, "{cell:>wide$}")?;
                 }
                 writeln!(out)?;
             }
@@ -155,13 +156,11 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
             let mesh = errors.and_then(|errors| errors.mesh.as_ref()?[of]);
             record.extend([answer.and_then(|answer| answer.result(of)), step, mesh].map(plain));
         }
-        for how in [Cut::AtLeast, Cut::NotFinal] {
-            record.push(answer.map_or_else(String::new, |answer| cut(answer, how).join(" ")));
-        }
-        let flags = answer.map_or(&[][..], |answer| &answer.flags);
-        let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
-        record.push(flags.join(" "));
-        record.push(cell_text(entry.refused().unwrap_or_default()));
+        let cut = |how| answer.map_or_else(String::new, |answer| cut(answer, how).join(" "));
+        record.extend([Cut::AtLeast, Cut::NotFinal].map(cut));
+        let flags = answer.into_iter().flat_map(|answer| &answer.flags);
+        let flags: Vec<&str> = flags.map(|flag| flag.kind.name()).collect();
+        record.extend([flags.join(" "), cell_text(entry.refused().unwrap_or_default())]);
         writer.write_record(&record)?;
     }
     writer.flush()

@@ -122,12 +122,12 @@ fn figures(answer: &Answer, chosen: bool) -> Vec<String> {
         let row = row(&capital(of.row().label), &figure, &more);
         lines.extend(row.lines().map(str::to_owned));
     }
-    let mut trust = format!("{}; mesh level {}", error_signs(answer), answer.case.level());
+    let mut trust = vec![format!("{}; mesh level {}", error_signs(answer), answer.case.level())];
     if chosen {
         let (integrator, step) = (answer.plan.integrator.name(), answer.step * 1e6);
-        trust += &format!(", {integrator}, steps of {step:.4} us");
+        trust.push(format!("{integrator}, steps of {step:.4} us"));
     }
-    lines.extend(wrapped(&trust, WIDTH));
+    lines.extend(wrapped(&trust.join(", "), WIDTH));
     lines.extend(cut.then(|| cut_signs(std::iter::once(answer)).to_owned()));
     lines
 }

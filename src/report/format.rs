@@ -82,7 +82,6 @@ pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) ->
     lines.try_for_each(|(i, line)| writeln!(out, "{}{line}", if i == 0 { first } else { rest }))
 }
 
-/// `label` with a capital letter.
 pub fn capital(label: &str) -> String {
     let mut letters = label.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())

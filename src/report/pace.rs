@@ -75,8 +75,7 @@ impl Pace {
 
 /// The least time of [`SAID`] that is no less than this, in s.
 fn near(left: f64) -> f64 {
-    let least = SAID.into_iter().find(|said| left <= *said);
-    least.unwrap_or(SAID[SAID.len() - 1])
+    SAID.into_iter().find(|said| left <= *said).unwrap_or(SAID[SAID.len() - 1])
 }
 
 fn time(seconds: f64) -> String {

@@ -58,9 +58,8 @@ pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
 
 /// Prints a line for each injury and the signs that count more than any of them.
 pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    for (name, words) in lines(answer) {
-        paragraph(&format!("{name}: {words}"), out)?;
-    }
+    let mut lines = lines(answer).into_iter();
+    lines.try_for_each(|(name, words)| paragraph(&format!("{name}: {words}"), out))?;
     if answer.silence().is_none() {
         let missing = uncounted(answer).map(|missing| format!(", without {missing}"));
         paragraph(&format!("(ranges of 80 %{}; {A_BB})", missing.unwrap_or_default()), out)?;

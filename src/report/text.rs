@@ -113,11 +113,10 @@ pub(super) fn row(name: &str, figure: &Figure, more: &str) -> String {
     let (cell, unit, off) = (figure.cell(), figure.unit, figure.off.to_string());
     let line = format!("{name:<19} {cell:>8} {unit:<3} {off:<8} {more}");
     let line = line.trim_end();
+    let is_long = line.chars().count() > WIDTH;
     match line.split_once(", ") {
         // Where it happened may need a line of its own.
-        Some((when, place)) if line.chars().count() > WIDTH => {
-            format!("{when},\n{:12}{place}", "")
-        }
+        Some((when, place)) if is_long => format!("{when},\n{:12}{place}", ""),
         _ => line.to_owned(),
     }
 }
@@ -131,13 +130,12 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}", row("Damage index", &index, &format!("({SCALE})")))?;
     }
     for (of, term) in PARTS {
-        let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) else {
-            continue;
-        };
-        let times = times_its_limit(&figure, value, term);
-        let limit = with_unit(&term.threshold.to_string(), figure.unit);
-        let (name, more) = (format!("  {}", of.row().label), format!("{times} of {limit}"));
-        writeln!(out, "{}", row(&name, &figure, &more))?;
+        if let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) {
+            let times = times_its_limit(&figure, value, term);
+            let limit = with_unit(&term.threshold.to_string(), figure.unit);
+            let (name, more) = (format!("  {}", of.row().label), format!("{times} of {limit}"));
+            writeln!(out, "{}", row(&name, &figure, &more))?;
+        }
     }
     writeln!(out)
 }

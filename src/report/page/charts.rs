@@ -52,9 +52,7 @@ impl PageChart {
 
     /// Draws it; nothing if there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
-        if self.curves.iter().all(|(_, points)| points.is_empty()) {
-            return None;
-        }
+        self.curves.iter().find(|(_, points)| !points.is_empty())?;
         let mut text = String::new();
         // A string takes whatever is drawn.
         self.draw(&mut text).ok()?;
@@ -118,9 +116,7 @@ fn short(value: f64) -> String {
 fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
     let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
-    if values.iter().all(|value| *value == 0.0) {
-        return None;
-    }
+    values.iter().find(|value| **value != 0.0)?;
     let all: Vec<(f64, f64)> =
         traces.time.iter().zip(values).map(|(t, value)| (t * 1e3, value * row.factor)).collect();
     let each = (2 * all.len()).div_ceil(MOST_POINTS).max(1);

@@ -243,7 +243,7 @@ pub fn pictures(entries: &[Entry]) -> String {
     let all: Vec<_> = answered.collect();
     let sides = |at: usize| all.iter().map(move |(_, _, picture)| picture.view()[at]).max();
     let (side, high) = (sides(2).unwrap_or(1), sides(3).unwrap_or(1));
-    let whole = side * all.len().max(1) as i64;
+    let whole = all.iter().map(|_| side).sum::<i64>().max(side);
     let drawn = html! {
         svg.eye xmlns="http://www.w3.org/2000/svg" viewBox=(format!("0 0 {whole} {}", high + 124)) {
             style { (PreEscaped(STYLE)) }

@@ -38,8 +38,7 @@ fn text(radius: f64, turn: f64, ink: &str, words: &str) -> Markup {
 }
 
 pub fn figure(sectors: &Sectors, side: Side) -> Markup {
-    let all = sectors.edge.iter().chain(&sectors.back);
-    let most = all.copied().fold(f64::MIN_POSITIVE, f64::max);
+    let most = sectors.edge.iter().chain(&sectors.back).copied().fold(f64::MIN_POSITIVE, f64::max);
     let ring = |values: &[f64], ring: (f64, f64), shift: f64| {
         let width = TAU / values.len() as f64;
         let one = |(i, value): (usize, &f64)| {

@@ -38,9 +38,7 @@ pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
     if let Some(front) = &frame.front {
         return Some(front.clone());
     }
-    if drawing.object?.direction.y.abs() > STRAIGHT {
-        return None;
-    }
+    drawing.object.filter(|object| object.direction.y.abs() <= STRAIGHT)?;
     let (shell, limbus) = (&drawing.outlines.shell, drawing.outlines.limbus);
     let middle = Point2::origin();
     let aside = |node: &usize| drawing.place(frame, *node, 1.0).y.abs();

@@ -64,8 +64,7 @@ impl Outline {
 
     /// The point at the back.
     pub fn back(&self) -> usize {
-        let angles = self.front.iter().enumerate();
-        angles.max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
+        self.front.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
     }
 
     fn inward(&self, i: usize) -> Vector2<f64> {
