@@ -36,7 +36,7 @@ pub fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if args.json {
         write_json(out, &accuracy::json(&scenario, &known, of))?;
     } else {
-        accuracy::text(&scenario, &known, of, out)?;
+        accuracy::text(&scenario.name, &known, of, out)?;
     }
     Ok(())
 }

@@ -28,7 +28,7 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if args.json {
         write_json(out, &json(&scenario, &ensemble))?;
     } else {
-        text(&scenario, &ensemble, drives, out)?;
+        text(&scenario.name, &ensemble, drives, out)?;
     }
     out.flush()?;
     if ensemble.stopped() {

@@ -67,7 +67,7 @@ impl Progress {
         let elapsed = self.began.elapsed();
         let mut line = self.line();
         line.pace.advance(share, elapsed);
-        let is_long = line.pace.left().is_some_and(|left| left >= LONG);
+        let is_long = line.pace.left.is_some_and(|left| left >= LONG);
         if !self.visible && !line.said && elapsed > KNOWN && is_long {
             line.said = true;
             // Nobody is hurt if it is lost.

@@ -57,7 +57,7 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
         text::results(&scenario, &answer, out)?;
         text::trust(&answer, &reasons, out)?;
     } else {
-        first_page::write(&scenario, &answer, args.tolerance.is_some(), out)?;
+        write!(out, "{}", first_page::text(&scenario, &answer, args.tolerance.is_some()))?;
     }
     Ok(())
 }

@@ -45,7 +45,7 @@ pub fn writing(task: &Task<WritePage>) -> Option<String> {
         1 => "writing a page".to_owned(),
         count => format!(
             "writing a page: blow {} of {count}",
-            1 + (job.pace.unwrap_or_default().share() * count as f64).round() as usize
+            1 + (job.pace.unwrap_or_default().share * count as f64).round() as usize
         ),
     })
 }

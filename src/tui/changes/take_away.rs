@@ -1,7 +1,7 @@
 //! What is taken out of the app: a page as a file, and a summary on the clipboard.
 
 use crate::report::command::{arguments, line};
-use crate::report::summary;
+use crate::report::first_page::in_three_lines;
 use crate::tui::overlay::{MEGABYTE, Overlay, Prompt};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::{model::AppModel, outbox::Effect, page::WritePage, request::Report};
@@ -82,7 +82,7 @@ pub(crate) fn summary(model: &AppModel, answers: &[Named]) -> Result<String, &'s
     let one = |answer: &Named| {
         let command = repeating(model, std::slice::from_ref(answer));
         let command = command.map(|words| line("run", &words));
-        summary::text(&answer.1.scenario, &answer.1.answer, command.as_deref())
+        in_three_lines(&answer.1.scenario, &answer.1.answer, command.as_deref())
     };
     Ok(answers.iter().map(one).collect::<Vec<_>>().join("\n"))
 }

@@ -23,7 +23,7 @@ pub fn cell(answer: &Answer, column: ComparisonColumn, mesh_comes: bool) -> (Str
         return nothing();
     };
     let error = match figure.off {
-        Off::Step(_) if mesh_comes => "mesh …".to_owned(),
+        Off::Known(_) if mesh_comes && answer.errors.mesh.is_none() => "mesh …".to_owned(),
         off => off.to_string().replace(' ', ""),
     };
     (figure.number, error)

@@ -116,7 +116,7 @@ fn doubtful(typing: &Typing) -> Option<String> {
 
 /// How far the answer is, once it takes long.
 pub fn simulating(model: &AppModel) -> Option<String> {
-    let share = model.run.job.as_ref()?.pace?.share();
+    let share = model.run.job.as_ref()?.pace?.share;
     Some(format!("simulating {:.0} %", share * 100.0))
 }
 

@@ -4,8 +4,10 @@
 use ratatui::style::Style;
 
 use crate::injury::Term;
-use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
-use crate::report::{format::digits, limit::alone, risks::first_line};
+use crate::report::figure::{
+    Figure, PARTS, SCALE, allowing, in_the_limit, times_its_limit, unusable,
+};
+use crate::report::{format::digits, risks::first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::view::risks::{comes, limits, rows};
 use crate::tui::view::text::{longest_fitting, width, wrapped};
@@ -221,7 +223,7 @@ fn part(shown: &ShownAnswer, (of, value, term): (Quantity, f64, Term), sheet: &m
     }
     sheet.put_right((FIGURE, 0), figure.to_string(), theme.text());
     let mut left = FIGURE + 2;
-    if let Some(limit) = alone(&shown.answer, of)
+    if let Some(limit) = in_the_limit(&shown.answer, of)
         && left + FINER + SHORTEST <= right
     {
         let text = format!("with ever finer mesh {limit}");

@@ -174,7 +174,7 @@ mod tests {
                 let figure = Figure {
                     number: number.to_owned(),
                     unit: quantity.row().unit,
-                    off: Off::Both(error),
+                    off: Off::Known(error),
                     cut: None,
                 };
                 let peak = Peak { value: 1.0, time: 12.345e-3 };

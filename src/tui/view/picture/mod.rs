@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
 
 use crate::report::picture::field::{STEPS, TissueField, step};
-use crate::report::picture::{DrawnDetail, POINTS, Part, front, in_globe, moment};
+use crate::report::picture::{DrawnDetail, POINTS, Part, front, globe_cells, moment};
 use crate::run::{drawing::shares, kept::Frame};
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::view::text::{longest_fitting, width};
@@ -119,7 +119,7 @@ impl Anatomical<'_> {
         let values = field.of_nodes(drawing, self.frame);
         let mut found: Vec<Option<usize>> = vec![None; columns * rows];
         let spots = parts as f64;
-        for cell in drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners)) {
+        for cell in globe_cells(drawing) {
             for nodes in cell.triangles() {
                 let corners =
                     nodes.map(|node| drawing.place(self.frame, node, f64::from(self.scene.zoom)));
