@@ -13,8 +13,7 @@ use clap::error::{ContextKind, ContextValue};
 
 use crate::cli::CliError;
 use crate::many::threshold::usual;
-use crate::plain_text;
-use crate::plain_text::{printable, quoted};
+use crate::plain_text::{self, printable, quoted};
 use crate::scenario::locate::locate;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, model_first, set};
@@ -28,7 +27,6 @@ pub struct ScenarioArgs {
     /// bb-62@40 (speed) or bb-62,offset_mm=3
     #[arg(value_name = "PRESET|FILE.ron")]
     pub source: String,
-    /// What is changed in it.
     #[command(flatten)]
     pub changes: Changes,
 }
@@ -40,7 +38,6 @@ pub struct ScenariosArgs {
     /// bb-62@40 (speed) or bb-62,offset_mm=3
     #[arg(value_name = "PRESET|FILE.ron", required = true)]
     pub sources: Vec<String>,
-    /// What is changed in each.
     #[command(flatten)]
     pub changes: Changes,
 }
@@ -63,12 +60,10 @@ pub struct Changes {
     pub step_us: Option<String>,
 }
 
-/// One `FIELD=VALUE`.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// One `FIELD=VALUE`, the value as typed.
+#[derive(Debug, Clone)]
 pub struct Assignment {
-    /// Dotted path of the field.
     pub path: String,
-    /// The value, as typed.
     pub text: String,
 }
 
@@ -102,19 +97,29 @@ impl FromStr for Assignment {
 impl ScenarioArgs {
     /// The scenario: loaded, then changed by every `--set` in order, then by the short flags. Its
     /// name says what was set.
-    ///
-    /// # Errors
-    /// Says which file or argument is wrong, and what would be accepted.
     pub fn scenario(&self) -> Result<CheckedScenario, CliError> {
         self.changes.made_to(&self.source)
+    }
+
+    /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
+    /// flag gives it, or nobody.
+    pub fn place_of(&self, field: &str) -> Option<String> {
+        let set = |a: &Assignment| field.contains(&a.path);
+        let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
+            || self.changes.assignments.iter().any(set);
+        let source = with_own_changes(&self.source).0;
+        let path = Path::new(source);
+        if by_flag || !path.is_file() {
+            return None;
+        }
+        let text = read_text(path).ok()?;
+        let (line, column) = locate(&text, field);
+        Some(format!("{}:{line}:{column}", printable(source)))
     }
 }
 
 impl ScenariosArgs {
     /// Each scenario with what it was asked for by.
-    ///
-    /// # Errors
-    /// As for one.
     pub fn scenarios(&self) -> Result<Vec<(String, CheckedScenario)>, CliError> {
         let one = |source: &String| Ok((source.clone(), self.changes.made_to(source)?));
         self.sources.iter().map(one).collect()
@@ -173,24 +178,6 @@ impl Changes {
     }
 }
 
-impl ScenarioArgs {
-    /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
-    /// flag gives it, or nobody.
-    pub fn place_of(&self, field: &str) -> Option<String> {
-        let set = |a: &Assignment| field.contains(&a.path);
-        let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
-            || self.changes.assignments.iter().any(set);
-        let source = with_own_changes(&self.source).0;
-        let path = Path::new(source);
-        if by_flag || !path.is_file() {
-            return None;
-        }
-        let text = read_text(path).ok()?;
-        let (line, column) = locate(&text, field);
-        Some(format!("{}:{line}:{column}", printable(source)))
-    }
-}
-
 /// Stands for the speed of an object, or the force of a pulse.
 const AT: &str = "@";
 
@@ -235,17 +222,18 @@ fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result
     set(scenario, path, text).map_err(|error| complaint(flag, path, &error))
 }
 
-/// One line a problem, led by the flag; the flag names its own field already.
+/// Led by the flag; the flag names its own field already.
 fn complaint(flag: &str, path: &str, error: &ScenarioError) -> CliError {
-    let line = |problem: &Problem| {
-        let flag = quoted(flag);
-        let message = plain_text::message(&problem.message);
-        if problem.field == path {
-            format!("{flag}: {message}")
-        } else {
-            format!("{flag}: {}: {message}", quoted(&problem.field))
-        }
-    };
+    let flag = quoted(flag);
+    complaints(error, |problem| match &problem.field {
+        field if field == path => flag.clone(),
+        field => format!("{flag}: {}", quoted(field)),
+    })
+}
+
+/// One line a problem, led by what asked for it.
+pub(super) fn complaints(error: &ScenarioError, lead: impl Fn(&Problem) -> String) -> CliError {
+    let line = |p: &Problem| format!("{}: {}", lead(p), plain_text::message(&p.message));
     CliError::Input(plain_text::lines(error.problems.iter().map(line)))
 }
 
@@ -280,19 +268,15 @@ pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
 }
 
 /// Reads a time that must be more than zero.
-pub(super) fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if number.is_normal() && number > 0.0 => Ok(number),
-        _ => Err("expected a number of microseconds above 0".to_owned()),
-    }
+pub(super) fn positive(text: &str) -> Result<f64, &'static str> {
+    let number = text.parse().ok().filter(|number: &f64| number.is_normal() && *number > 0.0);
+    number.ok_or("expected a number of microseconds above 0")
 }
 
 /// Reads a percentage that must be more than zero.
-pub(super) fn percent(text: &str) -> Result<f64, String> {
-    match text.trim_end_matches('%').trim_end().parse::<f64>() {
-        Ok(number) if number.is_normal() && number > 0.0 && number <= 100.0 => Ok(number),
-        _ => Err("expected a percentage above 0, up to 100".to_owned()),
-    }
+pub(super) fn percent(text: &str) -> Result<f64, &'static str> {
+    let number = positive(text.trim_end_matches('%').trim_end()).ok();
+    number.filter(|number| *number <= 100.0).ok_or("expected a percentage above 0, up to 100")
 }
 
 #[cfg(test)]

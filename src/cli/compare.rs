@@ -2,8 +2,7 @@
 
 use std::io::Write;
 
-use crate::cli::{CliError, CompareArgs};
-use crate::cli::{ensemble::result, interrupt, progress::Progress};
+use crate::cli::{CliError, CompareArgs, ensemble::result, interrupt, progress::shown};
 use crate::many::comparison::{ComparisonColumn, Entry, compare, leading, order};
 use crate::plain_text::{quoted, write_json};
 use crate::report::compare::{Table, csv, json};
@@ -18,11 +17,10 @@ pub(super) fn answered(
     otherwise: &str,
 ) -> Result<Vec<Entry>, CliError> {
     let stop = interrupt::flag()?;
-    let progress = Progress::new();
-    let entries = compare(asked, keep, &stop, |share| {
-        progress.show_of("simulating", share, asked.len());
+    let of = Some(asked.len());
+    let entries = shown(|progress| {
+        compare(asked, keep, &stop, |share| progress.show_of("simulating", share, of))
     });
-    progress.clear();
     entries.map_err(|refusal| CliError::stopped(refusal, otherwise))
 }
 
@@ -36,8 +34,7 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
             quoted(only)
         )));
     }
-    let by = args.sort.as_ref().map(|key| result("--sort", key));
-    let by = by.transpose()?;
+    let by = args.sort.as_ref().map(|key| result("--sort", key)).transpose()?;
     let mut entries = answered(&asked, |_| Keep::default(), "nothing is known yet")?;
     if let Some(by) = by {
         entries.sort_by(|a, b| order(a, b, (ComparisonColumn::Result(by), true)));
@@ -49,10 +46,5 @@ pub fn run(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
         return Ok(csv(&entries, out)?);
     }
     let table = Table::of(&entries, &leading(&entries, by));
-    if args.md {
-        table.markdown(out)?;
-    } else {
-        table.text(out)?;
-    }
-    Ok(())
+    Ok(if args.md { table.markdown(out) } else { table.text(out) }?)
 }

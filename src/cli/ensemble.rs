@@ -3,11 +3,10 @@
 use std::io::Write;
 use std::ops::ControlFlow;
 
-use crate::cli::{CliError, EnsembleArgs};
-use crate::cli::{interrupt, progress::Progress};
+use crate::cli::{CliError, EnsembleArgs, interrupt, print, progress::shown};
 use crate::many::ensemble::run as run_samples;
 use crate::many::threshold::meant;
-use crate::plain_text::{quoted, write_json};
+use crate::plain_text::quoted;
 use crate::report::ensemble::{json, text};
 use crate::run::quantity::Quantity;
 use crate::scenario::problem::five_nearest;
@@ -17,19 +16,15 @@ pub fn run(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let drives = result("--drives", &args.drives)?;
     let stop = interrupt::flag()?;
-    let progress = Progress::new();
     let count = (args.samples, args.seed);
-    let ensemble = run_samples(&scenario, count, None, &stop, &|so_far| {
-        progress.count("samples", so_far.samples.len(), so_far.asked as usize);
-        ControlFlow::Continue(())
-    });
-    progress.clear();
-    let ensemble = ensemble?;
-    if args.json {
-        write_json(out, &json(&scenario, &ensemble))?;
-    } else {
-        text(&scenario, &ensemble, drives, out)?;
-    }
+    let ensemble = shown(|progress| {
+        run_samples(&scenario, count, None, &stop, &|so_far| {
+            progress.count("samples", so_far.samples.len(), so_far.asked as usize);
+            ControlFlow::Continue(())
+        })
+    })?;
+    let json = args.json.then(|| json(&scenario, &ensemble));
+    print(out, json, |out| text(&scenario, &ensemble, drives, out))?;
     out.flush()?;
     if ensemble.stopped() {
         let (done, asked) = (ensemble.samples.len(), ensemble.asked);

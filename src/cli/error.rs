@@ -5,6 +5,7 @@ use std::io;
 use crate::error::Error;
 use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
+use crate::tui::OpenError;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -21,6 +22,9 @@ pub enum CliError {
     /// The library refused. What speaks of a scenario begins with a place, as editors expect.
     #[error("{lead}{0}", lead = if .0.is_of_input() { "" } else { "error: " })]
     Library(#[from] Error),
+    /// The app did not open, or ended with a failure.
+    #[error(transparent)]
+    App(#[from] OpenError),
     /// The answer could not be written to standard output.
     #[error("error: cannot write the output: {0}")]
     Output(#[from] io::Error),
@@ -55,6 +59,7 @@ impl CliError {
             Self::Library(error) if error.is_of_input() => 2,
             Self::Failed(_) | Self::Output(_) | Self::Library(_) => 1,
             Self::Input(_) => 2,
+            Self::App(error) => error.exit_code(),
             Self::Interrupted(_) => 130,
         }
     }

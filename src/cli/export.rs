@@ -37,7 +37,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
     let progress = Progress::new();
     let answer = solve(&scenario, keep, &mut |share| {
-        let _ = progress.simulated(share);
+        progress.show("simulating", share);
         until(&stop)(share)
     });
     let answer = answer.map_err(interrupted)?;

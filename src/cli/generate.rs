@@ -14,7 +14,6 @@ use crate::cli::{Cli, CliError, example};
 use crate::plain_text::printable_path;
 use crate::whole_file;
 
-/// What is printed.
 #[derive(Debug, Subcommand)]
 pub enum GenerateCommand {
     /// Print a script that completes commands in a shell

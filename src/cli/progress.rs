@@ -31,6 +31,14 @@ struct Line {
     said: bool,
 }
 
+/// What `work` gives, which tells on a line how far it is.
+pub(super) fn shown<T>(work: impl FnOnce(&Progress) -> T) -> T {
+    let progress = Progress::new();
+    let found = work(&progress);
+    progress.clear();
+    found
+}
+
 impl Progress {
     pub fn new() -> Self {
         Self { began: Instant::now(), visible: io::stderr().is_terminal(), line: Mutex::default() }
@@ -50,20 +58,16 @@ impl Progress {
 
     /// Shows what share of the work is done.
     pub fn show(&self, what: &str, share: f64) {
-        self.put(what, share, None);
+        self.show_of(what, share, None);
     }
 
     /// Shows how many are done of how many.
     pub fn count(&self, what: &str, done: usize, of: usize) {
-        self.show_of(what, done as f64 / of.max(1) as f64, of);
+        self.show_of(what, done as f64 / of.max(1) as f64, Some(of));
     }
 
-    /// Shows what share of so many is done.
-    pub fn show_of(&self, what: &str, share: f64, of: usize) {
-        self.put(what, share, Some(of));
-    }
-
-    fn put(&self, what: &str, share: f64, of: Option<usize>) {
+    /// Shows what share is done, of so many where that is known.
+    pub fn show_of(&self, what: &str, share: f64, of: Option<usize>) {
         let elapsed = self.began.elapsed();
         let mut line = self.line();
         line.pace.advance(share, elapsed);
@@ -85,16 +89,12 @@ impl Progress {
         }
     }
 
-    /// Shows how much has been simulated; never stops the run.
-    pub fn simulated(&self, share: f64) -> ControlFlow<()> {
-        self.show("simulating", share);
-        ControlFlow::Continue(())
-    }
-
-    /// Shows how much has been measured; never stops it.
-    pub fn measured(&self, share: f64) -> ControlFlow<()> {
-        self.show("measuring", share);
-        ControlFlow::Continue(())
+    /// A watch that shows what share is done and never stops the work.
+    pub fn watch(&self, what: &str) -> impl FnMut(f64) -> ControlFlow<()> {
+        move |share| {
+            self.show(what, share);
+            ControlFlow::Continue(())
+        }
     }
 
     pub fn clear(&self) {

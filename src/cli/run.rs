@@ -24,7 +24,7 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();
     let (began, progress) = (Instant::now(), Progress::new());
-    let mut watch = |share| progress.simulated(share);
+    let mut watch = progress.watch("simulating");
     if let (Some(_), Some(path)) = (args.tolerance, numerics_set(args, &scenario)) {
         return Err(CliError::Input(format!(
             "--set {path}: --tolerance chooses mesh level, integrator and step itself"
@@ -48,12 +48,10 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
             progress.show("meshes and inputs (--quick leaves them out)", share);
         })?;
     }
+    progress.clear();
     if args.json {
         write_json(out, &json::answer(&scenario, &answer, &reasons))?;
-        return Ok(());
-    }
-    progress.clear();
-    if args.all {
+    } else if args.all {
         text::results(&scenario, &answer, out)?;
         text::trust(&answer, &reasons, out)?;
     } else {

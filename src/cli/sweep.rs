@@ -12,27 +12,23 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::atomic::Ordering;
 
-use crate::cli::{CliError, SweepArgs};
+use crate::cli::{CliError, SweepArgs, arguments::complaints};
 use crate::cli::{interrupt, progress::Progress};
-use crate::many::sweep::{Sweep, SweepAxis, SweepRow};
-use crate::plain_text;
+use crate::many::sweep::{Sweep, SweepRow};
 use crate::plain_text::{printable_path, quoted};
 use crate::report::sweep::SweepFormat;
 use crate::run::ordered;
-use crate::scenario::problem::Problem;
 
 /// No row is longer, in bytes.
 const LONGEST_LINE: u64 = 64 * 1024;
 /// Rows that wait for a reader who does not read; then the work waits too.
 const MAX_UNREAD: usize = 1000;
 
-/// Which rows: number i of n, from 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Which rows: those of shard `index`, from 1, of so many.
+#[derive(Debug, Clone, Copy)]
 pub struct Shard {
-    /// Which of the shards, from 1.
-    pub index: usize,
-    /// Of how many.
-    pub of: usize,
+    index: usize,
+    of: usize,
 }
 
 impl FromStr for Shard {
@@ -60,19 +56,16 @@ impl Shard {
 /// Runs the rows of a shard that are not there yet.
 pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
-    let axes: Vec<SweepAxis> = args.vary.clone();
-    let sweep = Sweep::new(scenario.into(), axes).map_err(|error| {
-        let line = |p: &Problem| {
-            let message = plain_text::message(&p.message);
-            format!("--vary {}: {message}", quoted(&p.field))
-        };
-        CliError::Input(plain_text::lines(error.problems.iter().map(line)))
-    })?;
+    let sweep = Sweep::new(scenario.into(), args.vary.clone())
+        .map_err(|error| complaints(&error, |p| format!("--vary {}", quoted(&p.field))))?;
     let form = if args.json { SweepFormat::Json } else { SweepFormat::Csv };
     let rows = args.shard.rows(sweep.rows());
     let Some(path) = &args.out else {
         out.write_all(form.heading(&sweep).as_bytes())?;
-        return work(&sweep, form, &rows, 0, &mut Unflushed(out));
+        return work(&sweep, form, &rows, 0, |line| {
+            out.write_all(line.as_bytes())?;
+            out.flush()
+        });
     };
     let (mut file, done) = open(path, &sweep, form, &rows)?;
     let left = rows.len() - done;
@@ -82,7 +75,9 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
         writeln!(out, "{}", said(&text))?;
         return Ok(());
     }
-    work(&sweep, form, &rows, done, &mut file).map_err(|error| match error {
+    // One call, so that a kill tears at most this line.
+    let put = |line: &str| file.write_all(line.as_bytes());
+    work(&sweep, form, &rows, done, put).map_err(|error| match error {
         CliError::Output(error) => CliError::Failed(said(&format!("cannot be written: {error}"))),
         other => other,
     })?;
@@ -91,35 +86,13 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Standard output, whose lock stays on one thread: lines are handed over and written at the end
-/// of each call.
-struct Unflushed<'a>(&'a mut dyn Write);
-
-/// Where rows go, one whole line at a time.
-trait Sink {
-    fn line(&mut self, line: &str) -> io::Result<()>;
-}
-
-impl Sink for Unflushed<'_> {
-    fn line(&mut self, line: &str) -> io::Result<()> {
-        self.0.write_all(line.as_bytes())?;
-        self.0.flush()
-    }
-}
-
-impl Sink for File {
-    fn line(&mut self, line: &str) -> io::Result<()> {
-        // One call, so that a kill tears at most this line.
-        self.write_all(line.as_bytes())
-    }
-}
-
+/// Does rows from the `done`th on and hands each over as one line, on this thread.
 fn work(
     sweep: &Sweep,
     form: SweepFormat,
     rows: &[usize],
     done: usize,
-    sink: &mut dyn Sink,
+    mut write: impl FnMut(&str) -> io::Result<()>,
 ) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
     let progress = Progress::new();
@@ -129,7 +102,7 @@ fn work(
     let stopped = &*stop;
     let job = |at: usize| sweep.run(rows[at], &mut ordered::until(stopped));
     let mut put = |row: &SweepRow| {
-        if let Err(error) = sink.line(&form.row(sweep, row)) {
+        if let Err(error) = write(&form.row(sweep, row)) {
             failed = Some(error);
             stopped.store(true, Ordering::Relaxed);
             return ControlFlow::Break(());
@@ -138,7 +111,7 @@ fn work(
         progress.count("rows", written, rows.len());
         ControlFlow::Continue(())
     };
-    // The sink stays on this thread; rows come to it by channel, in their order.
+    // Standard output is locked to this thread; rows come to it by channel, in their order.
     std::thread::scope(|scope| {
         let helper = std::thread::Builder::new().spawn_scoped(scope, move || {
             ordered::run((done, rows.len()), stopped, job, |_, row| match send.send(row) {

@@ -45,7 +45,7 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
             writeln!(
                 out,
                 "  {:<14}{:>9}{:>6.0} %",
-                kind.kind.name,
+                kind.kind,
                 significant(kind.felt * row.factor),
                 100.0 * kind.told_by_others
             )?;
@@ -58,7 +58,7 @@ fn one(fit: &TissueFit) -> Value {
     let (row, shipped) = (fit.injury.measure().row(), fit.injury.curve());
     let kinds = fit.kinds.iter().map(|kind| {
         json!({
-            "kind": kind.kind.name,
+            "kind": kind.kind,
             "felt": kind.felt * row.factor,
             "told_by_others_percent": 100.0 * kind.told_by_others,
         })

@@ -16,9 +16,9 @@ use crate::scenario::{
 };
 use nalgebra::Vector2;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use strum::IntoStaticStr;
 
 /// A true error below this, in %, is accurate enough whatever was claimed, and references that
 /// differ by more are none.
@@ -62,30 +62,27 @@ const FINE: References = [(Integrator::Srkn11b, 3.0), (Integrator::Rk4, 8.0)];
 const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
 
 /// The verdict on a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum CaseVerdict {
     /// No flag, and every listed result within its claimed step error or within 1 %.
     Accurate,
     /// The answer carries flags; numbers outside the claim are covered by one.
     Flagged,
     /// The answer says itself that it predicts nothing.
+    #[strum(serialize = "not predictable")]
     NotPredictable,
     /// There is no answer, but a reason.
     Refused,
     /// An error that nothing warned of, or a number that is none.
+    #[strum(serialize = "WRONG")]
     Wrong,
 }
 
 impl CaseVerdict {
     /// Name as printed and as used in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Accurate => "accurate",
-            Self::Flagged => "flagged",
-            Self::NotPredictable => "not predictable",
-            Self::Refused => "refused",
-            Self::Wrong => "WRONG",
-        }
+        self.into()
     }
 }
 
@@ -282,7 +279,7 @@ impl HardCase {
             .max_by(|a, b| a.1.total_cmp(&b.1));
         let within = worst.is_none_or(|(_, truth, _)| truth <= ACCURATE_PERCENT);
         let unproven = !known || !within;
-        let verdict = if answer.flags.iter().any(of(FlagKind::NotPredictable)) {
+        let verdict = if answer.flags.iter().any(|flag| flag.kind == FlagKind::NotPredictable) {
             CaseVerdict::NotPredictable
         } else if unproven && !answer.flags.iter().any(doubts_numbers) {
             CaseVerdict::Wrong
@@ -310,10 +307,6 @@ fn worst_error(errors: &Results, results: &Results) -> f64 {
     errors.worst_listed(results).map_or(0.0, |(_, error)| error)
 }
 
-fn of(kind: FlagKind) -> impl Fn(&Flag) -> bool {
-    move |flag| flag.kind == kind
-}
-
 /// Whether a flag says that the numbers, and not only their meaning, are in doubt.
 fn doubts_numbers(flag: &Flag) -> bool {
     matches!(
@@ -336,15 +329,14 @@ fn reference(
     Ok(answer.case.results(&solution))
 }
 
-/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is
-/// left out if it wants to stop.
-pub fn run(watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> Vec<CaseOutcome> {
+/// Runs all cases on all cores, in their order; `progress` is told the share that is done.
+pub fn run(progress: &(dyn Fn(f64) + Sync)) -> Vec<CaseOutcome> {
     let cases = cases();
     let done = AtomicUsize::new(0);
     let outcomes = cases.par_iter().with_max_len(1).map(|case| {
         let outcome = case.run();
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        let _ = watch(done as f64 / cases.len() as f64);
+        progress(done as f64 / cases.len() as f64);
         outcome
     });
     outcomes.collect()
