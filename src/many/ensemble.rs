@@ -140,7 +140,7 @@ struct Job<'a> {
     scenario: &'a CheckedScenario,
     inputs: &'a [UncertainInput],
     seed: u32,
-    cap: Option<f64>,
+    cap: f64,
     stop: &'a AtomicBool,
 }
 
@@ -148,38 +148,31 @@ impl Job<'_> {
     /// Sample number `index`; nothing if it was stopped.
     fn run(&self, index: u32) -> Option<Sample> {
         let (mut scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
-        let checked = scenario.check().map_err(|error| {
-            let field = error.problems.first().map_or("", |p| p.field.as_str());
-            format!("{field} not allowed")
-        });
-        let checked = match checked {
+        let checked = match scenario.check() {
             Ok(checked) => checked,
-            Err(why) => {
-                let outcome = Err(why);
-                return Some(Sample { drawn, outcome });
+            Err(error) => {
+                let field = error.problems.first().map_or("", |p| p.field.as_str());
+                return Some(Sample { drawn, outcome: Err(format!("{field} not allowed")) });
             }
         };
         let mut watch = until(self.stop);
         let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
         let run = if wants_check { compared } else { single };
-        let mut outcome = run(&checked, self.cap, &mut watch);
+        let mut outcome = run(&checked, Some(self.cap), &mut watch);
         if let Err(Refusal::StepAboveLimit { .. }) = outcome {
             // Left out, the stiff eyes would be missing from the bands.
             scenario.numerics.step_us = None;
             let free = scenario.check().map_err(Refusal::Scenario);
-            outcome = free.and_then(|free| run(&free, self.cap, &mut watch));
+            outcome = free.and_then(|free| run(&free, Some(self.cap), &mut watch));
         }
         let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
-        let outcome = outcome.map(|mut answer| {
-            if let Some(place) = curves {
-                let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
-                let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
-                    std::array::from_fn(|i| sum[i] + one[i])
-                });
-                put_curves(&mut answer, &Blow::of(&scenario), drawn[place], &moved);
-            }
-            answer
-        });
+        if let (Ok(answer), Some(place)) = (&mut outcome, curves) {
+            let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
+            let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
+                std::array::from_fn(|i| sum[i] + one[i])
+            });
+            put_curves(answer, &Blow::of(&scenario), drawn[place], &moved);
+        }
         match outcome {
             Err(Refusal::Cancelled) => None,
             other => Some(Sample { drawn, outcome: other.map_err(|refusal| name(&refusal)) }),
@@ -206,8 +199,7 @@ impl Job<'_> {
             let sample = self.run(index as u32)?;
             Some((sample, began.elapsed().as_secs_f64(), single))
         };
-        let deliver = |index: usize, (sample, took, single): (Sample, f64, Option<f64>)| {
-            debug_assert_eq!(index, into.samples.len());
+        let deliver = |_, (sample, took, single): (Sample, f64, Option<f64>)| {
             into.samples.push(sample);
             into.timing.cores += took;
             singles.extend(single);
@@ -222,17 +214,12 @@ impl Job<'_> {
 /// just keep `promise`, in %, of the samples that did not keep it at their longest stable step.
 /// Where all did, none longer than they took. Infinite if all have folded.
 fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
-    let checks = || {
-        let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
-        points.filter(|p| !p.folded()).filter_map(|p| p.check)
-    };
-    let tried = checks().map(|check| check.tried).reduce(f64::max);
-    checks()
-        .filter(|check| check.first > promise)
-        .map(|check| check.good_step)
-        .reduce(f64::min)
-        .or(tried)
-        .map_or(f64::INFINITY, |step| HEADROOM * step)
+    let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
+    let checks = points.filter(|p| !p.folded()).filter_map(|p| p.check);
+    let tried = checks.clone().map(|check| check.tried).reduce(f64::max);
+    let missed = checks.filter(|check| check.first > promise);
+    let good = missed.map(|check| check.good_step).reduce(f64::min);
+    good.or(tried).map_or(f64::INFINITY, |step| HEADROOM * step)
 }
 
 /// Runs `count` samples of `scenario`, or those that `known`, of the same scenario and seed,
@@ -249,14 +236,8 @@ pub fn run(
 ) -> Result<Ensemble, Refusal> {
     let inputs = inputs(scenario);
     let began = Instant::now();
-    let mut job = Job {
-        scenario,
-        inputs: &inputs,
-        seed,
-        // Nothing is known yet: the pilot takes the longest stable steps.
-        cap: Some(f64::INFINITY),
-        stop,
-    };
+    // Nothing is known yet: the pilot takes the longest stable steps.
+    let mut job = Job { scenario, inputs: &inputs, seed, cap: f64::INFINITY, stop };
     let count = count.min(MAX_SAMPLES);
     let mut ensemble = match known {
         Some(known) => Ensemble { asked: count, ..known },
@@ -278,9 +259,8 @@ pub fn run(
     let pilot = count.min(PILOT);
     let mut singles = job.gather(pilot, on_sample, &mut ensemble);
     let first = ensemble.samples.len().min(pilot as usize);
-    let cap = longest_step(&ensemble.samples[..first], ensemble.promise);
-    job.cap = Some(cap);
-    ensemble.cap = Some(cap).filter(|cap| cap.is_finite());
+    job.cap = longest_step(&ensemble.samples[..first], ensemble.promise);
+    ensemble.cap = Some(job.cap).filter(|cap| cap.is_finite());
     if first == pilot as usize {
         singles.extend(job.gather(count, on_sample, &mut ensemble));
     }

@@ -13,6 +13,7 @@ use crate::run::ordered::{self, until};
 use crate::run::{quantity::Quantity, refusal::Refusal};
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};
+use std::cmp::Reverse;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
@@ -116,21 +117,10 @@ impl Grid {
 
     /// The points, from coarse to fine.
     pub fn order(&self) -> Vec<(usize, usize)> {
-        let mut every = self.side - 1;
-        let mut order = Vec::with_capacity(self.spots.len());
-        let on = |at: usize, every: usize| at.is_multiple_of(every);
-        while every > 0 {
-            let coarser = 2 * every;
-            for y in (0..self.side).step_by(every) {
-                for x in (0..self.side).step_by(every) {
-                    let first = every == self.side - 1;
-                    if first || !(on(x, coarser) && on(y, coarser)) {
-                        order.push((x, y));
-                    }
-                }
-            }
-            every /= 2;
-        }
+        let rows = (0..self.side).flat_map(|y| (0..self.side).map(move |x| (x, y)));
+        let mut order: Vec<_> = rows.collect();
+        // A point lies on the grids of all widths, powers of 2, that divide both its numbers.
+        order.sort_by_key(|(x, y)| Reverse((x | y).trailing_zeros()));
         order
     }
 
@@ -156,28 +146,21 @@ impl Grid {
             let ((i, u), (j, v)) = (place(x), place(y));
             let near = |share: f64| if share < 0.5 { 0 } else { every };
             let here = self.at((i + near(u), j + near(v)));
+            let folded = here.is_some_and(Spot::folded);
             let is_point = |share: f64| share == 0.0 || share == 1.0;
             if let Some(spot) = here.filter(|_| is_point(u) && is_point(v)) {
-                return Some(MapReading {
-                    value: spot.value(quantity),
-                    folded: spot.folded(),
-                    exact: true,
-                });
+                return Some(MapReading { value: spot.value(quantity), folded, exact: true });
             }
-            let corner = |a: usize, b: usize| self.at((i + a, j + b));
-            let corners =
-                [(0, 0), (every, 0), (0, every), (every, every)].map(|(a, b)| corner(a, b));
-            if let [Some(a), Some(b), Some(c), Some(d)] = corners {
+            let corners = [(0, 0), (every, 0), (0, every), (every, every)];
+            if let [Some(a), Some(b), Some(c), Some(d)] =
+                corners.map(|(a, b)| self.at((i + a, j + b)))
+            {
                 let value = || {
                     let low = a.value(quantity)? * (1.0 - u) + b.value(quantity)? * u;
                     let high = c.value(quantity)? * (1.0 - u) + d.value(quantity)? * u;
                     Some(low * (1.0 - v) + high * v)
                 };
-                return Some(MapReading {
-                    value: value(),
-                    folded: here.is_some_and(Spot::folded),
-                    exact: false,
-                });
+                return Some(MapReading { value: value(), folded, exact: false });
             }
             every *= 2;
         }
@@ -201,10 +184,8 @@ pub fn scenario_at(
 }
 
 fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
-    let Ok(scenario) = scenario.check() else {
-        return Some(Spot::Refused);
-    };
-    match single(&scenario, None, &mut until(stop)) {
+    let checked = scenario.check().map_err(Refusal::from);
+    match checked.and_then(|scenario| single(&scenario, None, &mut until(stop))) {
         Ok(point) if point.folded() => Some(Spot::Folded(point.values)),
         Ok(point) => Some(Spot::Known(point.values)),
         Err(Refusal::Cancelled) => None,
@@ -237,6 +218,7 @@ pub fn fill(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::watch::stop_if;
     use crate::scenario::fields::find;
 
     fn spans() -> (Span, Span) {
@@ -252,10 +234,7 @@ mod tests {
             // Nothing is said of a place before its corners are known.
             let (known, _) = grid.known();
             assert_eq!(grid.read(of, (0.3, 0.3)).is_some(), known >= 4);
-            if known == 9 {
-                return ControlFlow::Break(());
-            }
-            ControlFlow::Continue(())
+            stop_if(known == 9)
         };
         let part = fill(&scenario, spans(), Grid::new(5), &AtomicBool::new(false), &coarse);
         assert_eq!(part.known(), (9, 25));
@@ -287,8 +266,7 @@ mod tests {
         let mut sorted = order.clone();
         sorted.sort_unstable();
         sorted.dedup();
-        assert_eq!(sorted.len(), SIDE * SIDE);
-        assert_eq!(order.len(), SIDE * SIDE);
+        assert_eq!((sorted.len(), order.len()), (SIDE * SIDE, SIDE * SIDE));
         assert!(order[..25].iter().all(|(x, y)| x % 8 == 0 && y % 8 == 0));
     }
 }

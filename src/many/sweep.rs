@@ -50,10 +50,8 @@ impl SweepAxis {
         let parts: Vec<&str> = text.split(':').map(str::trim).collect();
         let values = match parts[..] {
             [from, to, count] => {
-                let number = |text: &str| text.parse::<f64>().ok().filter(|n| n.is_finite());
-                let (Some(from), Some(to)) = (number(from), number(to)) else {
-                    return Err(wanted.to_owned());
-                };
+                let number = |text: &str| text.parse().ok().filter(|n: &f64| n.is_finite());
+                let (from, to) = number(from).zip(number(to)).ok_or(wanted)?;
                 let count = count.parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
                 let count = count.ok_or(format!("the count must be 1 to {MAX_VALUES}"))?;
                 if count == 1 && from != to {
@@ -149,19 +147,12 @@ impl Sweep {
 
     /// The value of each axis in a row.
     pub fn values(&self, row: usize) -> Vec<&str> {
-        let mut rest = row;
-        let mut values: Vec<&str> = self
-            .axes
-            .iter()
-            .rev()
-            .map(|axis| {
-                let value = &axis.values[rest % axis.values.len()];
-                rest /= axis.values.len();
-                value.as_str()
-            })
-            .collect();
-        values.reverse();
-        values
+        let mut stride = self.rows();
+        let values = self.axes.iter().map(|axis| {
+            stride /= axis.values.len();
+            axis.values[row / stride % axis.values.len()].as_str()
+        });
+        values.collect()
     }
 
     /// The scenario of a row.
@@ -180,34 +171,22 @@ impl Sweep {
 
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
-        let scenario = self.scenario(number);
-        let outcome = match scenario {
-            Err(error) => Err(error.to_string()),
-            Ok(scenario) => match checked(&scenario, watch) {
-                Err(Refusal::Cancelled) => return None,
-                other => other.map_err(|refusal| refusal.to_string()),
-            },
+        let scenario = self.scenario(number).map_err(Refusal::from);
+        let outcome = match scenario.and_then(|scenario| checked(&scenario, watch)) {
+            Err(Refusal::Cancelled) => return None,
+            other => other.map_err(|refusal| refusal.to_string()),
         };
-        Some(SweepRow {
-            number,
-            values: self.values(number).into_iter().map(str::to_owned).collect(),
-            outcome,
-        })
+        let values = self.values(number).into_iter().map(str::to_owned).collect();
+        Some(SweepRow { number, values, outcome })
     }
 
     /// A number that tells this sweep from any other: FNV-1a of scenario, grid, results and
     /// version.
     pub fn fingerprint(&self) -> u64 {
         let mut text = to_ron(&self.scenario) + &self.files;
-        for axis in &self.axes {
-            let axis = format!("{}={:?}\n", axis.path, axis.values);
-            text.push_str(&axis);
-        }
+        text.extend(self.axes.iter().map(|axis| format!("{}={:?}\n", axis.path, axis.values)));
         let keys = Quantity::ALL.iter().map(|quantity| quantity.key());
-        for part in keys.chain([env!("CARGO_PKG_VERSION")]) {
-            text += part;
-            text.push('\n');
-        }
+        text.extend(keys.chain([env!("CARGO_PKG_VERSION")]).flat_map(|part| [part, "\n"]));
         fnv1a(&text)
     }
 }

@@ -1,6 +1,5 @@
 //! One crossing: bracketed, with the errors of step and mesh there, or the range of a risk.
 
-use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 use super::ThresholdSearch;
@@ -8,8 +7,7 @@ use crate::answer::solve::{Answer, solve};
 use crate::answer::{brief::single, complete::complete, results::Results};
 use crate::injury::{Blow, Injury, Known, Risk};
 use crate::many::root::{Bracket, narrowed};
-use crate::run::ordered::{self, until};
-use crate::run::{flags::Flag, kept::Keep, refusal::Refusal};
+use crate::run::{flags::Flag, kept::Keep, ordered::until, refusal::Refusal, threads::beside};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 pub(super) const WIDTH: f64 = 1e-4;
@@ -74,25 +72,18 @@ impl ThresholdSearch {
         let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
             let result = self.results_at(value, stop)?[self.quantity];
             one_more_run();
-            Ok(result.ok_or_else(|| self.absent())? - self.target)
+            Ok(result.ok_or_else(|| self.absent(""))? - self.target)
         })?;
         let at = bracket.secant();
         let jump = ((bracket.high.1 - bracket.low.1).abs() > JUMP * spread)
             .then_some((bracket.low.1 + self.target, bracket.high.1 + self.target));
-        let scenario = self.at(at)?.check()?;
+        let scenario = self.at(at)?;
         let mut answer = solve(&scenario, Keep::default(), &mut until(stop))?;
         one_more_run();
         complete(&scenario, &mut answer, stop, |_| {})?;
         one_more_run();
-        let mut crossing = Crossing {
-            at,
-            rising,
-            step: None,
-            mesh: None,
-            jump,
-            flags: answer.flags.clone(),
-            risk: None,
-        };
+        let flags = answer.flags.clone();
+        let mut crossing = Crossing { at, rising, step: None, mesh: None, jump, flags, risk: None };
         if jump.is_some() {
             return Ok(crossing);
         }
@@ -113,13 +104,12 @@ impl ThresholdSearch {
             (value(&high) - value(&low)) / (to - from)
         });
         let value = answer.results()[self.quantity];
-        let errors = &answer.errors;
-        let off =
-            [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
-                let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
-                off.is_finite().then_some(off)
-            });
-        [crossing.step, crossing.mesh] = off;
+        let off = |errors: Option<&Results>| {
+            let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
+            off.is_finite().then_some(off)
+        };
+        crossing.step = off(Some(&answer.errors.time_step));
+        crossing.mesh = off(answer.errors.mesh.as_ref());
         Ok(crossing)
     }
 
@@ -146,8 +136,7 @@ impl ThresholdSearch {
         // where nothing can be computed.
         let reached = |value: f64, upper: bool| {
             let scenario = self.at(value)?;
-            let checked = scenario.check()?;
-            let run = match single(&checked, None, &mut until(stop)) {
+            let run = match single(&scenario, None, &mut until(stop)) {
                 Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
                 other => other.ok(),
             };
@@ -185,18 +174,7 @@ impl ThresholdSearch {
         if at <= 0.0 {
             return Ok((None, None));
         }
-        let mut ends = Vec::new();
-        ordered::run(
-            (0, 2),
-            stop,
-            |i| Some(end((i == 0) == rising)),
-            |_, end| {
-                ends.push(end);
-                ControlFlow::Continue(())
-            },
-        );
-        let mut ends = ends.into_iter();
-        let mut next = || ends.next().unwrap_or(Err(Refusal::Cancelled));
-        Ok((next()?, next()?))
+        let (lower, upper) = beside(|| end(rising), || end(!rising));
+        Ok((lower?, upper?))
     }
 }

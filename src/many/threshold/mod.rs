@@ -28,9 +28,10 @@ use crate::answer::{brief::single, results::Results};
 use crate::many::{root::Bracket, sweep::spaced};
 use crate::run::ordered::{self, until};
 use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal};
-use crate::scenario::fields::{Bounds, Field, Kind};
+use crate::scenario::doubt::number;
+use crate::scenario::fields::{Bounds, Field};
 use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain};
-use crate::scenario::{Scenario, set::set};
+use crate::scenario::{CheckedScenario, Scenario, set::set};
 
 /// Intervals of the grid, at least, and the largest ratio of neighbours on it.
 const INTERVALS: usize = 24;
@@ -105,30 +106,24 @@ impl ThresholdSearch {
     }
 
     /// The scenario with another value of the field.
-    fn at(&self, value: f64) -> Result<Scenario, ScenarioError> {
+    fn at(&self, value: f64) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
         set(&mut scenario, self.field.path, &plain(value))?;
-        Ok(scenario)
+        scenario.check()
     }
 
-    fn absent(&self) -> Refusal {
-        let message = "this scenario has no such result";
+    fn absent(&self, but: &str) -> Refusal {
+        let message = format!("this scenario has no such result{but}");
         ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
     }
 
     fn answer_at(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
-        let scenario = self.at(value)?.check()?;
-        solve(&scenario, Keep::default(), &mut until(stop))
+        solve(&self.at(value)?, Keep::default(), &mut until(stop))
     }
 
     /// The value of the field now.
     pub fn present(&self) -> f64 {
-        match &self.field.kind {
-            Kind::Number(_, place) => (place.get)(&self.scenario).copied(),
-            Kind::OptionalNumber(_, place) => (place.get)(&self.scenario).copied().flatten(),
-            _ => None,
-        }
-        .unwrap_or(f64::NAN)
+        number(self.field, &self.scenario).map_or(f64::NAN, |(present, _)| present)
     }
 
     /// The values that are looked at first: evenly where the range has both signs or is narrow,
@@ -168,22 +163,17 @@ impl ThresholdSearch {
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
             let there = self.results_at(seen[0].0, stop)?;
             let there = there.present().map(|(of, _)| of.key());
-            let message = format!(
-                "this scenario has no such result; the nearest that it has: {}",
-                five_nearest(self.quantity.key(), there)
-            );
-            return Err(ScenarioError::from(Problem::new(self.quantity.key(), message)).into());
+            let near = five_nearest(self.quantity.key(), there);
+            return Err(self.absent(&format!("; the nearest that it has: {near}")));
         }
-        let none = || "no such result there".to_owned();
-        let seen: Vec<(f64, Result<f64, String>)> = seen
-            .into_iter()
-            .map(|(at, result)| (at, result.and_then(|value| value.ok_or_else(none))))
-            .collect();
+        let known = |result: Result<Option<f64>, String>| {
+            result.and_then(|value| value.ok_or_else(|| "no such result there".to_owned()))
+        };
+        let seen: Vec<_> = seen.into_iter().map(|(at, result)| (at, known(result))).collect();
         let brackets = self.brackets(&seen);
         let mut crossings = Vec::new();
-        let values = || seen.iter().filter_map(|(_, result)| result.as_ref().ok());
-        let spread =
-            values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
+        let values = || seen.iter().filter_map(|(_, result)| result.clone().ok());
+        let spread = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
         for (i, bracket) in brackets.iter().enumerate() {
             let each = (1.0 - LOOKED) / brackets.len() as f64;
             let mut progress = |share: f64| progress(LOOKED + each * (i as f64 + share));
@@ -215,10 +205,7 @@ impl ThresholdSearch {
                 progress(LOOKED * done as f64 / grid.len() as f64);
                 ControlFlow::Continue(())
             });
-            if done < begun + at.len() {
-                return Err(Refusal::Cancelled);
-            }
-            Ok(())
+            if done < begun + at.len() { Err(Refusal::Cancelled) } else { Ok(()) }
         };
         run_at(&first, &mut seen)?;
         let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
@@ -238,16 +225,13 @@ impl ThresholdSearch {
 
     /// The results of one run at a value of the field.
     fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
-        let scenario = self.at(value)?.check()?;
-        Ok(single(&scenario, None, &mut until(stop))?.values)
+        Ok(single(&self.at(value)?, None, &mut until(stop))?.values)
     }
 
     /// Neighbours on two sides of the target.
     fn brackets(&self, seen: &[(f64, Result<f64, String>)]) -> Vec<Bracket> {
         let pairs = seen.windows(2).filter_map(|pair| {
-            let [(a, Ok(low)), (b, Ok(high))] = pair else {
-                return None;
-            };
+            let [(a, Ok(low)), (b, Ok(high))] = pair else { return None };
             let bracket = Bracket { low: (*a, low - self.target), high: (*b, high - self.target) };
             ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
         });

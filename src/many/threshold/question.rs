@@ -23,17 +23,16 @@ pub(super) fn bounds(
         set(&mut scenario.clone(), path, "0")?;
         return Err(Problem::new(path, "there is no such field in this scenario").into());
     };
-    match &field.kind {
-        Kind::Number(bounds, _) | Kind::OptionalNumber(bounds, _) => {
-            Ok((field, field.bounds_in(scenario).unwrap_or(*bounds)))
-        }
-        Kind::Integer(..) => {
-            let message =
-                format!("is a whole number, now {present}: `contrecoup sweep` lists its results");
-            Err(Problem::new(path, message).into())
-        }
-        _ => Err(Problem::new(path, format!("is no number but {present}")).into()),
-    }
+    let Some(bounds) = field.bounds_in(scenario) else {
+        let message = match field.kind {
+            Kind::Integer(..) => {
+                format!("is a whole number, now {present}: `contrecoup sweep` lists its results")
+            }
+            _ => format!("is no number but {present}"),
+        };
+        return Err(Problem::new(path, message).into());
+    };
+    Ok((field, bounds))
 }
 
 /// Reads `FROM:TO` within the bounds of a field.
