@@ -62,22 +62,22 @@ impl Equivalent {
 
 impl fmt::Display for Equivalent {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let which = match self {
-            Self::Under(_) => "under ",
-            Self::At(_) => "",
-            Self::Over(_) => "over ",
-        };
-        write!(f, "a BB at {which}{:.0} m/s", self.speed())
+        match self {
+            Self::Under(speed) => write!(f, "a BB at under {speed:.0} m/s"),
+            Self::At(speed) => write!(f, "a BB at {speed:.0} m/s"),
+            Self::Over(speed) => write!(f, "a BB at over {speed:.0} m/s"),
+        }
     }
 }
 
 /// The BB of which the tissue of `injury` would feel as much.
 pub fn equivalent(injury: Injury, measure: f64) -> Equivalent {
-    let mut before = (SPEEDS[0], MEASURES[injury as usize][0]);
+    let table = MEASURES[injury as usize];
+    let mut before = (SPEEDS[0], table[0]);
     if measure < before.1 {
         return Equivalent::Under(before.0);
     }
-    for (speed, at) in SPEEDS.into_iter().zip(MEASURES[injury as usize]) {
+    for (speed, at) in SPEEDS.into_iter().zip(table) {
         if at > measure {
             let share = libm::log(measure / before.1) / libm::log(at / before.1);
             return Equivalent::At(before.0 * libm::pow(speed / before.0, share));
