@@ -20,8 +20,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use strum::IntoStaticStr;
 
-/// A true error below this, in %, is accurate enough whatever was claimed, and references that
-/// differ by more are none.
+/// A true error below this, in %, is accurate enough; references that differ by more are none.
 const ACCURATE_PERCENT: f64 = 1.0;
 /// Speed at which two nodes are driven together, in m/s: fast enough to meet within a step or two.
 const DRIVEN_M_S: f64 = 1000.0;
@@ -31,20 +30,16 @@ const DRIVEN_M_S: f64 = 1000.0;
 pub struct HardCase {
     /// A few words.
     pub name: &'static str,
-    /// What it stresses.
-    pub stresses: &'static str,
+    stresses: &'static str,
     /// The scenario that is asked for.
     pub scenario: Scenario,
-    /// What is done to the eye before the blow.
-    pub start: Start,
-    /// How the truth is found.
-    pub references: References,
+    start: Start,
+    references: References,
 }
 
 /// What an eye starts from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Start {
-    /// Nothing is done: it lies at rest.
+#[derive(Debug, Clone, Copy)]
+enum Start {
     Rest,
     /// A node of the shell lies on its neighbour.
     OnOneSpot,
@@ -53,7 +48,7 @@ pub enum Start {
 }
 
 /// The integrators of the references, and how many times more steps each takes in every segment.
-pub type References = [(Integrator, f64); 2];
+type References = [(Integrator, f64); 2];
 
 /// Errors fall with the sixth and fourth power, so the first is off by less than a hundredth of
 /// any error that counts, and the second confirms it within 1 %.
@@ -219,23 +214,15 @@ impl HardCase {
     /// Solves the case and its references and compares.
     pub fn run(&self) -> CaseOutcome {
         let solved = self.compiled().and_then(|case| {
-            solve_case(
-                Compiled::with(Arc::new(case), &self.scenario),
-                &self.scenario,
-                Keep::default(),
-                &mut unwatched,
-            )
+            let case = Compiled::with(Arc::new(case), &self.scenario);
+            solve_case(case, &self.scenario, Keep::default(), &mut unwatched)
         });
         let answer = match solved {
             Ok(answer) => answer,
-            Err(refusal) => {
-                return self.outcome(CaseVerdict::Refused, None, refusal.to_string());
-            }
+            Err(refusal) => return self.outcome(CaseVerdict::Refused, None, refusal.to_string()),
         };
         let [first, second] = self.references;
-        let (first, second) =
-            rayon::join(|| reference(&answer, first), || reference(&answer, second));
-        match (first, second) {
+        match rayon::join(|| reference(&answer, first), || reference(&answer, second)) {
             (Ok(first), Ok(second)) => self.judge(&answer, &first, &second),
             (Err(refusal), _) | (_, Err(refusal)) => {
                 let note = format!("a reference failed: {refusal}");
@@ -266,16 +253,14 @@ impl HardCase {
             return self.outcome(CaseVerdict::Wrong, Some(answer), note);
         }
         // In % of the answer, as claims are.
-        let between = second.apart_percent(first, &results);
+        let between = worst_error(&second.apart_percent(first, &results), &results);
         let truth = first.difference_percent(&results);
-        let between = worst_error(&between, &results);
         let known = between <= ACCURATE_PERCENT;
         let worst = truth
             .watched()
             .filter_map(|(quantity, truth)| Some((quantity, truth, claimed[quantity]?)))
-            .filter(|(of, truth, claimed)| {
-                truth > claimed && !results[*of].is_some_and(|value| of.is_rounding(value))
-            })
+            .filter(|(_, truth, claimed)| truth > claimed)
+            .filter(|(of, ..)| !results[*of].is_some_and(|value| of.is_rounding(value)))
             .max_by(|a, b| a.1.total_cmp(&b.1));
         let within = worst.is_none_or(|(_, truth, _)| truth <= ACCURATE_PERCENT);
         let unproven = !known || !within;
@@ -309,14 +294,9 @@ fn worst_error(errors: &Results, results: &Results) -> f64 {
 
 /// Whether a flag says that the numbers, and not only their meaning, are in doubt.
 fn doubts_numbers(flag: &Flag) -> bool {
-    matches!(
-        flag.kind,
-        FlagKind::MeshFolded
-            | FlagKind::NotPredictable
-            | FlagKind::Unconverged
-            | FlagKind::EnergyImbalance
-            | FlagKind::LostInRounding
-    )
+    use FlagKind as F;
+    let kinds = [F::MeshFolded, F::Unconverged, F::EnergyImbalance, F::LostInRounding];
+    kinds.contains(&flag.kind)
 }
 
 /// Results of the answer's case in `fineness` times as many steps of `integrator`.
@@ -333,11 +313,10 @@ fn reference(
 pub fn run(progress: &(dyn Fn(f64) + Sync)) -> Vec<CaseOutcome> {
     let cases = cases();
     let done = AtomicUsize::new(0);
-    let outcomes = cases.par_iter().with_max_len(1).map(|case| {
+    let outcome = |case: &HardCase| {
         let outcome = case.run();
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        progress(done as f64 / cases.len() as f64);
+        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / cases.len() as f64);
         outcome
-    });
-    outcomes.collect()
+    };
+    cases.par_iter().with_max_len(1).map(outcome).collect()
 }

@@ -8,7 +8,7 @@
 
 use crate::answer::compiled::Compiled;
 use crate::run::{kept::Keep, refusal::Refusal, watch::unwatched};
-use crate::scenario::{Geometry, Model, Physiological, Scenario, Support};
+use crate::scenario::{Geometry, Model, Physiological, Support};
 use crate::verify::experiments::{EXPERIMENTS, Experiment};
 use crate::verify::fit::squared_misfit;
 use crate::verify::rerun::{fitted, read_run, with_fat};
@@ -64,16 +64,14 @@ fn each<const N: usize>(
     experiments: impl Iterator<Item = &'static Experiment>,
     cases: [(f64, Geometry); N],
 ) -> Vec<Row<N>> {
-    let experiments: Vec<_> = experiments.collect();
     let row = |experiment: &'static Experiment| {
-        let found = cases
-            .map(|(mpa, orbit)| figure(experiment, with_fat((experiment.scenario)(), mpa), orbit));
-        (experiment, found)
+        (experiment, cases.map(|(mpa, orbit)| figure(experiment, mpa, orbit)))
     };
-    experiments.into_par_iter().map(row).collect()
+    experiments.collect::<Vec<_>>().into_par_iter().map(row).collect()
 }
 
-fn figure(experiment: &Experiment, mut scenario: Scenario, orbit: Geometry) -> Result<f64, String> {
+fn figure(experiment: &Experiment, mpa: f64, orbit: Geometry) -> Result<f64, String> {
+    let mut scenario = with_fat((experiment.scenario)(), mpa);
     if let Model::Physiological(model) = &mut scenario.model {
         model.support = Support::Orbit;
     }

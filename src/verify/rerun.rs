@@ -43,7 +43,10 @@ impl Rerun {
         let step_errors = solved().filter_map(|answer| answer.errors.time_step_percent());
         Self {
             experiment,
-            predicted: answers.each_ref().map(|answer| read(experiment, answer)),
+            predicted: answers.each_ref().map(|answer| {
+                let answer = answer.as_ref().map_err(Refusal::to_string)?;
+                read_run(experiment, &answer.case, &answer.run)
+            }),
             published: None,
             step_error: step_errors.reduce(f64::max),
             flags,
@@ -53,15 +56,13 @@ impl Rerun {
     /// What is predicted on each mesh over what was measured.
     pub fn ratios(&self) -> [Option<f64>; MESHES] {
         let typical = self.experiment.measured.typical();
-        let ratio = |value: &Result<f64, String>| Some(value.as_ref().ok()? / typical);
-        self.predicted.each_ref().map(ratio)
+        self.predicted.each_ref().map(|value| Some(value.as_ref().ok()? / typical))
     }
 
     /// Whether the prediction of each mesh lies where the measurement says.
     pub fn inside(&self) -> [bool; MESHES] {
         let measured = self.experiment.measured;
-        let inside = |value: &Result<f64, String>| value.as_ref().is_ok_and(|v| measured.holds(*v));
-        self.predicted.each_ref().map(inside)
+        self.predicted.each_ref().map(|value| value.as_ref().is_ok_and(|v| measured.holds(*v)))
     }
 
     /// Whether the prediction of every mesh does.
@@ -96,8 +97,7 @@ pub(crate) fn with_fat(mut scenario: Scenario, mpa: f64) -> Scenario {
     scenario
 }
 
-/// Runs each scenario, as `change` makes it, once for all experiments that share it; in their
-/// order.
+/// Runs each scenario, as `change` makes it, once for all experiments that share it.
 pub(crate) fn rerun(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario + Sync,
@@ -140,12 +140,6 @@ fn limits(reading: Gauge, kind: FlagKind) -> bool {
     let ends =
         matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort | FlagKind::WindowCapped);
     !(ends && matches!(reading, Gauge::ForceAt(_)))
-}
-
-/// Reads one figure of an answer.
-fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64, String> {
-    let answer = answer.as_ref().map_err(Refusal::to_string)?;
-    read_run(experiment, &answer.case, &answer.run)
 }
 
 /// Reads one figure of a run that kept its traces.

@@ -12,8 +12,7 @@ use std::f64::consts::PI;
 pub const MAX_SCENES: u32 = 1 << 16;
 /// Largest kinetic energy of an object, in J.
 const HARDEST_J: f64 = 20.0;
-/// Largest angle of a blow from the side, in degrees, and distance beside the middle that it is
-/// aimed at, in mm.
+/// Largest angle of a blow from the side, in degrees, and distance beside the middle, in mm.
 const STEEPEST_DEG: f64 = 70.0;
 const FARTHEST_MM: f64 = 8.0;
 
@@ -115,18 +114,14 @@ fn object(draw: Draw) -> Scenario {
     let (surface, restitution) = match draw.share(4) {
         s if s < 0.4 => (Surface::Hard, 1.0),
         s if s < 0.7 => (Surface::Elastic { modulus_mpa }, bounce),
-        _ => {
-            let kpa = draw.ratio(6, 50.0, 2000.0);
-            (Surface::Inflated { kpa, modulus_mpa }, bounce)
-        }
+        _ => (Surface::Inflated { kpa: draw.ratio(6, 50.0, 2000.0), modulus_mpa }, bounce),
     };
     let springy = surface != Surface::Hard && draw.share(7) < 0.3;
-    let outline = if draw.share(8) < 0.8 {
-        Outline::Sphere
-    } else {
-        let edge_mm = draw.between(9, 0.05, 0.5) * diameter_mm;
-        Outline::Cylinder { edge_mm }
-    };
+    let edge_mm = draw.between(9, 0.05, 0.5) * diameter_mm;
+    let sphere = draw.share(8) < 0.8;
+    let outline = if sphere { Outline::Sphere } else { Outline::Cylinder { edge_mm } };
+    let n_per_m = draw.ratio(18, 1e4, 1e6);
+    let spring = ProjectileStiffness::Linear { n_per_m };
     let around = |dimension, value: f64| value * draw.ratio(dimension, 0.7, 1.4);
     let plain = Physiological::default();
     Scenario {
@@ -153,12 +148,7 @@ fn object(draw: Draw) -> Scenario {
             outline,
             surface,
             restitution,
-            stiffness: if springy {
-                let n_per_m = draw.ratio(18, 1e4, 1e6);
-                ProjectileStiffness::Linear { n_per_m }
-            } else {
-                ProjectileStiffness::Rigid
-            },
+            stiffness: if springy { spring } else { ProjectileStiffness::Rigid },
             ..Projectile::default()
         }),
         // What a blow does at first; the published coverage is of this.
