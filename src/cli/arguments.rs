@@ -69,19 +69,14 @@ pub struct Assignment {
 
 /// What `--integrator` may be, a line for each.
 fn integrators() -> String {
-    let rows = Integrator::ALL.iter().map(|integrator| {
-        let method = integrator.method();
-        let (name, order, evaluations) = (method.name, method.order, method.evaluations());
-        format!(
-            "\n- {name}: {} Order {order}; force evaluations a step: {evaluations}.",
-            method.about
-        )
-    });
-    let lines: Vec<String> = rows.collect();
-    format!(
-        "Integrator; short for `--set numerics.integrator=NAME`\n{}\n- auto: the program chooses.",
-        lines.concat()
-    )
+    let mut text = "Integrator; short for `--set numerics.integrator=NAME`\n".to_owned();
+    for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {
+        let (name, about, order) = (method.name, method.about, method.order);
+        let evaluations = method.evaluations();
+        text +=
+            &format!("\n- {name}: {about} Order {order}; force evaluations a step: {evaluations}.");
+    }
+    text + "\n- auto: the program chooses."
 }
 
 impl FromStr for Assignment {
@@ -95,14 +90,12 @@ impl FromStr for Assignment {
 }
 
 impl ScenarioArgs {
-    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags. Its
-    /// name says what was set.
+    /// Loaded, then changed by every `--set` in order, then by the short flags; named for it.
     pub fn scenario(&self) -> Result<CheckedScenario, CliError> {
         self.changes.made_to(&self.source)
     }
 
-    /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
-    /// flag gives it, or nobody.
+    /// Where the scenario's file gives `field`, as `file:line:column`; nothing if a flag does.
     pub fn place_of(&self, field: &str) -> Option<String> {
         let set = |a: &Assignment| field.contains(&a.path);
         let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
@@ -181,8 +174,7 @@ impl Changes {
 /// Stands for the speed of an object, or the force of a pulse.
 const AT: &str = "@";
 
-/// A source and what it is changed by itself, as in `bb-62@40,offset_mm=3`. What is a file by its
-/// whole name is taken as one.
+/// A source and its own changes, as in `bb-62@40,offset_mm=3`; a file by its whole name has none.
 fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
     if Path::new(typed).is_file() {
         return (typed, Vec::new());
@@ -247,8 +239,7 @@ const RENAMED: [(&str, &str); 6] = [
     ("man", "generate man"),
 ];
 
-/// Prints why the arguments were refused, or the help that was asked for. An argument is repeated
-/// in it, and may hold anything.
+/// Prints why arguments, which may hold anything, were refused, or the help that was asked for.
 pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
     if let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidSubcommand)
         && let Some((_, now)) = RENAMED.iter().find(|(old, _)| old == typed)
@@ -319,10 +310,9 @@ mod tests {
 
     #[test]
     fn a_name_says_what_was_set_beside_it_and_stays_a_name() {
-        let changed = scenario(&["--set", "impact.force_n=450"]).unwrap();
-        assert_eq!(changed.name, "450 N for 0.2 ms");
-        let changed = scenario(&["--set", "impact.angle_deg=5"]).unwrap();
-        assert_eq!(changed.name, "300 N for 0.2 ms; impact.angle_deg=5");
+        let name = |set| scenario(&["--set", set]).unwrap().name.clone();
+        assert_eq!(name("impact.force_n=450"), "450 N for 0.2 ms");
+        assert_eq!(name("impact.angle_deg=5"), "300 N for 0.2 ms; impact.angle_deg=5");
         let many: Vec<String> = (0..9).map(|i| format!("--set=eye.lens_kpa={i}1")).collect();
         let many: Vec<&str> = many.iter().map(String::as_str).collect();
         let changed = scenario(&many).unwrap();
@@ -332,20 +322,18 @@ mod tests {
 
     #[test]
     fn a_source_may_carry_its_speed_and_changes_of_its_own() {
-        let split = |typed| with_own_changes(typed);
-        assert_eq!(split("bb-62"), ("bb-62", vec![]));
         let both = ("bb-62", vec![("@", "40"), ("offset_mm", "3")]);
-        assert_eq!(split("bb-62@40,offset_mm=3"), both);
+        assert_eq!(with_own_changes("bb-62@40,offset_mm=3"), both);
         let group = ("a.ron", vec![("impact.surface", "Inflated(kpa:1, modulus_mpa:2)")]);
-        assert_eq!(split("a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)"), group);
-        for whole in ["@3", "me@home", "a,b", "a,b,c@d"] {
-            assert_eq!(split(whole), (whole, vec![]));
+        let typed = "a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)";
+        assert_eq!(with_own_changes(typed), group);
+        for whole in ["bb-62", "@3", "me@home", "a,b", "a,b,c@d"] {
+            assert_eq!(with_own_changes(whole), (whole, vec![]));
         }
-        let (ball, pulse) = ("squash-ball@30", "paper-300n@90");
-        let of = |source| Changes::default().made_to(source).unwrap();
-        assert_eq!(of(ball).projectile().unwrap().speed_m_s, 30.0);
-        assert_eq!(of(pulse).pulse().unwrap().force_n, 90.0);
-        let refused = Changes::default().made_to("squash-ball@900").unwrap_err();
+        let of = |source| Changes::default().made_to(source);
+        assert_eq!(of("squash-ball@30").unwrap().projectile().unwrap().speed_m_s, 30.0);
+        assert_eq!(of("paper-300n@90").unwrap().pulse().unwrap().force_n, 90.0);
+        let refused = of("squash-ball@900").unwrap_err();
         assert!(refused.to_string().starts_with("squash-ball@900: "), "{refused}");
     }
 

@@ -9,8 +9,7 @@ use crate::report::compare::{Table, csv, json};
 use crate::run::kept::Keep;
 use crate::scenario::CheckedScenario;
 
-/// Every blow answered, with a bar that shows how many are; `otherwise` says what an interruption
-/// leaves.
+/// Every blow answered, while progress is shown; `otherwise` says what an interruption leaves.
 pub(super) fn answered(
     asked: &[(String, CheckedScenario)],
     keep: impl Fn(&CheckedScenario) -> Keep + Sync,

@@ -51,8 +51,7 @@ impl CliError {
         }
     }
 
-    /// 0 where there is nothing to complain about, 1 for failures, 2 for bad input, 130 if it was
-    /// stopped.
+    /// 0 if nothing is to complain about, 1 for failures, 2 for bad input, 130 if it was stopped.
     pub fn exit_code(&self) -> u8 {
         match self {
             _ if self.is_broken_pipe() => 0,

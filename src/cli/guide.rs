@@ -36,8 +36,7 @@ pub fn run(topic: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The pager and its arguments; nothing where none is wanted or the terminal cannot move its
-/// cursor.
+/// The pager with its arguments, where one is wanted and the terminal can move its cursor.
 fn pager() -> Option<Vec<String>> {
     let dumb = env::var("TERM").map_or(true, |term| term == "dumb");
     let asked =

@@ -16,8 +16,7 @@ const KNOWN: Duration = Duration::from_secs(5);
 /// The line is written anew this often at most.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// A line on standard error, if that is a terminal, once the work takes long. Any thread may write
-/// it.
+/// A line on standard error, if that is a terminal, for work that takes long; any thread writes it.
 pub(super) struct Progress {
     began: Instant,
     visible: bool,

@@ -60,8 +60,7 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The path of a `--set` that gives mesh level, integrator or step, by whichever of its names or
-/// as part of a group.
+/// The path of a `--set` that gives mesh level, integrator or step, or a group with them.
 fn numerics_set<'a>(args: &'a RunArgs, scenario: &Scenario) -> Option<&'a str> {
     let level_is_given = scenario.eye.level != EyeInput::default().level;
     let paths = args.scenario.changes.assignments.iter().map(|a| a.path.as_str());

@@ -7,22 +7,18 @@
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::str::FromStr;
-use std::sync::atomic::Ordering;
 
 use crate::cli::{CliError, SweepArgs, arguments::complaints};
-use crate::cli::{interrupt, progress::Progress};
-use crate::many::sweep::{Sweep, SweepRow};
+use crate::cli::{interrupt, progress::shown};
+use crate::many::sweep::Sweep;
 use crate::plain_text::{printable_path, quoted};
 use crate::report::sweep::SweepFormat;
-use crate::run::ordered;
+use crate::run::{ordered, watch::stop_if};
 
 /// No row is longer, in bytes.
 const LONGEST_LINE: u64 = 64 * 1024;
-/// Rows that wait for a reader who does not read; then the work waits too.
-const MAX_UNREAD: usize = 1000;
 
 /// Which rows: those of shard `index`, from 1, of so many.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +50,7 @@ impl Shard {
 }
 
 /// Runs the rows of a shard that are not there yet.
-pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
+pub fn run(args: &SweepArgs, out: &mut (dyn Write + Send)) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let sweep = Sweep::new(scenario.into(), args.vary.clone())
         .map_err(|error| complaints(&error, |p| format!("--vary {}", quoted(&p.field))))?;
@@ -86,46 +82,26 @@ pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Does rows from the `done`th on and hands each over as one line, on this thread.
+/// Does rows from the `done`th on and writes each as one line, in their order.
 fn work(
     sweep: &Sweep,
     form: SweepFormat,
     rows: &[usize],
     done: usize,
-    mut write: impl FnMut(&str) -> io::Result<()>,
+    mut write: impl FnMut(&str) -> io::Result<()> + Send,
 ) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
-    let progress = Progress::new();
-    let (send, receive) = std::sync::mpsc::sync_channel(MAX_UNREAD);
-    let mut written = done;
-    let mut failed = None;
-    let stopped = &*stop;
-    let job = |at: usize| sweep.run(rows[at], &mut ordered::until(stopped));
-    let mut put = |row: &SweepRow| {
-        if let Err(error) = write(&form.row(sweep, row)) {
-            failed = Some(error);
-            stopped.store(true, Ordering::Relaxed);
-            return ControlFlow::Break(());
-        }
-        written += 1;
-        progress.count("rows", written, rows.len());
-        ControlFlow::Continue(())
-    };
-    // Standard output is locked to this thread; rows come to it by channel, in their order.
-    std::thread::scope(|scope| {
-        let helper = std::thread::Builder::new().spawn_scoped(scope, move || {
-            ordered::run((done, rows.len()), stopped, job, |_, row| match send.send(row) {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            });
+    let (mut written, mut outcome) = (done, Ok(()));
+    shown(|progress| {
+        let job = |at: usize| sweep.run(rows[at], &mut ordered::until(&stop));
+        ordered::run((done, rows.len()), &stop, job, |_, row| {
+            outcome = write(&form.row(sweep, &row));
+            written += usize::from(outcome.is_ok());
+            progress.count("rows", written, rows.len());
+            stop_if(outcome.is_err())
         });
-        let alone = (done..rows.len()).map_while(|at| helper.is_err().then(|| job(at)).flatten());
-        let _ = receive.into_iter().chain(alone).try_for_each(|row| put(&row));
     });
-    progress.clear();
-    if let Some(error) = failed {
-        return Err(error.into());
-    }
+    outcome?;
     if written < rows.len() {
         return Err(CliError::Interrupted(format!(
             "interrupted: {written} of {} rows done; the same command with --out goes on from there",

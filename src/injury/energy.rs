@@ -81,8 +81,7 @@ pub static CURVES: &[EnergyCurve] = &[
 ];
 
 impl EnergyCurve {
-    /// The risk of a small hard blow straight on, by the mean of the curves that count for an
-    /// injury; none where none does.
+    /// The risk of a small hard blow straight on, by the mean of the curves that count, if any.
     pub fn counted(injury: Injury, energy: f64) -> Option<f64> {
         let counting: Vec<&Self> = Self::of(injury).filter(|curve| curve.counts).collect();
         let count = counting.len() as f64;

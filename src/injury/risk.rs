@@ -22,8 +22,7 @@ use libm::{exp, hypot, log, log10, pow};
 
 /// One in ten lies farther out than so many standard deviations, to each side.
 const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
-/// Added to how far a curve is known for objects wider than those tested, and for places that are
-/// not anatomical.
+/// Added to `known` for objects wider than those tested, and for places that are not anatomical.
 const UNTESTED: f64 = 0.10;
 /// What the measured shape of the orbit changes in log10 of each measure over a round rim: the root
 /// mean square of eight presets straight on that meet bone (`contrecoup guide sides`).
@@ -111,8 +110,7 @@ impl Injury {
         self.curve().known + UNTESTED * (blow.wider + aslant)
     }
 
-    /// `tissue` blended with what the published curves say of the energy of the blow times a
-    /// factor, where they count.
+    /// `tissue` blended with the published curves, where they count, at `factor` times the energy.
     fn blended(self, blow: &Blow, factor: f64, tissue: f64) -> f64 {
         let energy = blow.energy.filter(|_| blow.tested > 0.0);
         let published = energy.and_then(|energy| EnergyCurve::counted(self, energy * factor));
@@ -138,8 +136,7 @@ impl Injury {
         self.blended(blow, pow(10.0, energy), tissue)
     }
 
-    /// The risk of one eye among many if its curve lies `off` standard deviations from where it is
-    /// believed to lie, 0 to 1.
+    /// The risk, 0 to 1, of one eye among many whose curve lies `off` standard deviations away.
     pub(crate) fn risk_of_draw(self, blow: &Blow, measure: f64, off: f64) -> f64 {
         self.risk_if(blow, measure, off, (0.0, 0.0))
     }

@@ -23,8 +23,7 @@ pub struct TissueCurve {
     pub eyes: f64,
     /// How far the curve is known: a standard deviation in log10 of the measure.
     pub known: f64,
-    /// How far the published energy of 50 % is known, where that curve counts: a standard
-    /// deviation in its log10.
+    /// The same of the published energy of 50 %, where that curve counts: in its log10.
     pub energy_known: f64,
     /// Where the data end: the largest of the kinds at 100 kJ/m2, SI.
     pub end: f64,

@@ -72,8 +72,7 @@ impl Risk {
         }
     }
 
-    /// What to say after the injury's name, the longest words first, for places where room may be
-    /// short.
+    /// What to say after the injury's name, the longest words first, as room may be short.
     pub fn forms(&self) -> Vec<String> {
         let short = format!("{} ({})", self.word(), self.percent());
         if !self.usable {

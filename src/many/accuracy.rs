@@ -33,8 +33,7 @@ const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
 const WORTH: f64 = 0.98;
 /// Runs of which the median time is taken.
 pub const ROUNDS: usize = 3;
-/// The step of the reference as a share of its stability limit: beside mesh errors its own error
-/// is nothing.
+/// The reference's step as a share of its stability limit: beside mesh errors its own is nothing.
 const REFERENCE_SHARE: f64 = 0.15;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];

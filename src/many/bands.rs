@@ -42,8 +42,7 @@ pub struct Checks {
     pub refined: usize,
     /// How many of those after the pilot, whose step was what the unchecked ones take.
     pub missed: usize,
-    /// Largest error at the step tried first, after the pilot, in %; none if no sample was checked
-    /// there.
+    /// Largest error at the step tried first, after the pilot, in %, if any was checked there.
     pub first: Option<f64>,
     /// Largest error at the step taken, in %.
     pub last: f64,

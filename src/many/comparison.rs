@@ -104,8 +104,7 @@ impl ComparisonColumn {
     }
 }
 
-/// Which of two stands first in the order of a column: the largest first or last, and what has none
-/// last either way.
+/// The order of two in a column, the largest first or last; what has none is last either way.
 pub fn order<A: Borrow<Answer>>(
     a: &Entry<A>,
     b: &Entry<A>,
@@ -134,8 +133,7 @@ pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn>
     columns
 }
 
-/// The results worth printing, the risks first: those that lead in one of the entries, the risks,
-/// and the one that sorts.
+/// The results worth printing: the risks, those that lead in an entry, and the one that sorts.
 pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
         entries.iter().filter_map(Entry::answer).any(|answer| {

@@ -56,8 +56,7 @@ pub struct Timing {
     pub wall: f64,
     /// On all cores together, in s.
     pub cores: f64,
-    /// A single run of the scenario itself, results only, in s: the median of runs among the
-    /// samples.
+    /// A run of the scenario itself, results only, in s: the median of those among the samples.
     pub single: Option<f64>,
     /// Threads that shared the samples.
     pub threads: usize,

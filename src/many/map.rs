@@ -136,8 +136,7 @@ impl Grid {
         let (x, y) = (x.clamp(0.0, 1.0) * last, y.clamp(0.0, 1.0) * last);
         let mut every = 1;
         while every < self.side {
-            // The cell of that width round the place: its lower corner, and the share on from
-            // there.
+            // The cell of that width round the place: its lower corner, and the share from there.
             let place = |at: f64| {
                 let cell =
                     ((at / every as f64).floor() as usize * every).min(self.side - 1 - every);

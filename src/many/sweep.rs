@@ -112,8 +112,7 @@ impl Sweep {
                 let mut changed = scenario.clone();
                 set(&mut changed, &path, value)?;
                 let plain = fields::find(&path).and_then(|field| field.text(&changed));
-                // The word for a curve that was recorded does not say which: there the name of its
-                // file stands.
+                // The word for a recorded curve does not say which; the name of its file does.
                 let says_all = |plain: &String| {
                     let mut again = scenario.clone();
                     set(&mut again, &path, plain).is_ok() && again == changed
@@ -180,8 +179,7 @@ impl Sweep {
         Some(SweepRow { number, values, outcome })
     }
 
-    /// A number that tells this sweep from any other: FNV-1a of scenario, grid, results and
-    /// version.
+    /// What tells this sweep from any other: FNV-1a of scenario, grid, results and version.
     pub fn fingerprint(&self) -> u64 {
         let mut text = to_ron(&self.scenario) + &self.files;
         text.extend(self.axes.iter().map(|axis| format!("{}={:?}\n", axis.path, axis.values)));

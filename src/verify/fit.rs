@@ -42,8 +42,7 @@ pub struct Tried {
 pub struct Fit {
     /// The best.
     pub best: Tried,
-    /// Least and greatest value whose misfit is within [`NEARLY`] of the least one; it need not
-    /// hold `best`.
+    /// Least and greatest value within [`NEARLY`] of the least misfit; it need not hold `best`.
     pub nearly: (f64, f64),
     /// All that were tried.
     pub tried: Vec<Tried>,

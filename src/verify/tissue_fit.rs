@@ -181,13 +181,12 @@ pub struct TissueFit {
     pub kinds: Vec<KindFelt>,
 }
 
-/// How the points of 50 % go with an input: log10 of each over log10 of the input, below the
-/// model's own value and above it.
+/// How the points of 50 % go with an input: log10 of each over log10 of the input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WithInput {
     /// Path of the input.
     pub path: &'static str,
-    /// Below and above.
+    /// Below the model's own value and above it.
     pub powers: [PerInjury<f64>; 2],
 }
 
@@ -312,8 +311,7 @@ impl Match {
     }
 }
 
-/// How the curves go with an input, by its values one standard deviation below and above the
-/// model's own.
+/// By the values one standard deviation below and above the model's own.
 fn with_input(path: &'static str, runs: &Runs) -> Option<WithInput> {
     let scenario = KINDS[0].fast(1.0, Species::Human, Support::Gelatin);
     let input = inputs(&scenario).into_iter().find(|input| input.field.path == path)?;

@@ -15,8 +15,7 @@ pub(super) const WIDTH: f64 = 1e-4;
 const STEP_ASIDE: f64 = 0.01;
 /// How many runs a crossing takes is not known: each leaves this share of its progress to go.
 const PATIENCE: f64 = 0.85;
-/// A result that changes within a bracket by more than this share of its range on the grid jumps
-/// there.
+/// Within a bracket a result jumps if it changes by more than this share of its range on the grid.
 const JUMP: f64 = 0.05;
 /// An end of such a range is looked for in steps of this ratio, so many of them at most.
 const ASIDE: f64 = 1.2;
@@ -53,8 +52,7 @@ pub struct RiskThere {
 }
 
 impl ThresholdSearch {
-    /// What is known of the crossing within a bracket, of results that range over `spread` on the
-    /// grid.
+    /// The crossing within a bracket, of results that range over `spread` on the grid.
     pub(super) fn crossing(
         &self,
         bracket: Bracket,
@@ -132,8 +130,7 @@ impl ThresholdSearch {
             return Ok((None, None));
         };
         let target = self.target / self.quantity.row().factor;
-        // Whether the upper end of the range, or the lower one, has the target at a value; none
-        // where nothing can be computed.
+        // Whether the upper or lower end of the range has the target at a value, if it is known.
         let reached = |value: f64, upper: bool| {
             let scenario = self.at(value)?;
             let run = match single(&scenario, None, &mut until(stop)) {

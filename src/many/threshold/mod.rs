@@ -77,8 +77,7 @@ pub struct Threshold {
 type Seen = Result<Vec<(f64, Result<Option<f64>, String>)>, Refusal>;
 
 impl ThresholdSearch {
-    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see
-    /// [`wanted`].
+    /// Varies `FIELD` or `FIELD=FROM:TO` until a result has a value, see [`wanted`].
     ///
     /// # Errors
     /// Says why the field cannot be varied so, and what could.
