@@ -120,6 +120,16 @@ impl ScenariosArgs {
 }
 
 impl Changes {
+    /// The short flags that were given, each with the field that it changes and the value.
+    pub fn short(&self) -> impl Iterator<Item = (&'static str, &'static str, &String)> {
+        let all = [
+            ("--level", "eye.level", &self.level),
+            ("--integrator", "numerics.integrator", &self.integrator),
+            ("--step-us", "numerics.step_us", &self.step_us),
+        ];
+        all.into_iter().filter_map(|(flag, path, text)| Some((flag, path, text.as_ref()?)))
+    }
+
     fn made_to(&self, typed: &str) -> Result<CheckedScenario, CliError> {
         let (source, own) = with_own_changes(typed);
         let mut scenario = resolve(source)?;
@@ -142,15 +152,8 @@ impl Changes {
                 changes.push((full, text.trim()));
             }
         }
-        let short = [
-            ("--level", "eye.level", &self.level),
-            ("--integrator", "numerics.integrator", &self.integrator),
-            ("--step-us", "numerics.step_us", &self.step_us),
-        ];
-        for (flag, path, text) in short {
-            if let Some(text) = text {
-                assign(&mut scenario, &format!("{flag} {text}"), path, text)?;
-            }
+        for (flag, path, text) in self.short() {
+            assign(&mut scenario, &format!("{flag} {text}"), path, text)?;
         }
         // The file by itself was sound, so what is wrong now comes from the flags together.
         let changed = format!("{source}, as the flags change it, cannot be computed");

@@ -17,6 +17,8 @@ use crate::whole_file;
 
 /// Time between two frames unless asked otherwise, in us.
 const FRAMES_EVERY_US: f64 = 10.0;
+/// What an interruption leaves.
+const UNWRITTEN: &str = "nothing was written";
 /// More node positions than this would be a file of more than 5 GB.
 const MAX_POSITIONS: f64 = 5e7;
 
@@ -29,8 +31,11 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         return Err(CliError::Input("--frames and --traces name the same file".to_owned()));
     }
     let every_us = args.every_us.unwrap_or(FRAMES_EVERY_US);
-    if args.frames.is_some() {
-        check_size(&scenario, every_us)?;
+    let least_us = shortest_us(&scenario);
+    if args.frames.is_some() && every_us < least_us {
+        return Err(CliError::Input(format!(
+            "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"
+        )));
     }
     let keep = Keep { traces: args.traces.is_some(), frames: None };
     // Who is told to stop takes the unfinished file away.
@@ -40,7 +45,7 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         progress.show("simulating", share);
         until(&stop)(share)
     });
-    let answer = answer.map_err(interrupted)?;
+    let answer = answer.map_err(|refusal| CliError::stopped(refusal, UNWRITTEN))?;
     if let Some(path) = &args.frames {
         let mut count = 0;
         save(path, |file| {
@@ -60,10 +65,6 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-fn interrupted(refusal: Refusal) -> CliError {
-    CliError::stopped(refusal, "nothing was written")
-}
-
 /// Writes each frame as it is computed; gives how many there are.
 fn write_frames(
     answer: &Answer,
@@ -81,30 +82,23 @@ fn write_frames(
         progress.show("writing frames", share);
         if written.is_ok() { until(stop)(share) } else { ControlFlow::Break(()) }
     };
-    let spacing = Spacing::even(every);
-    let taken = answer.case.frames(&answer.plan, spacing, &mut take);
+    let taken = answer.case.frames(&answer.plan, Spacing::even(every), &mut take);
     let count = written?;
     taken.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
     writer.finish().map_err(csv_to_io)?;
     Ok(count)
 }
 
-fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError> {
+/// The least time between two frames that makes no more than [`MAX_POSITIONS`], in us.
+fn shortest_us(scenario: &CheckedScenario) -> f64 {
     let case = Compiled::new(scenario);
-    let nodes = case.eye.regions().len() as f64;
-    let least_us = case.window() * 1e6 * nodes / MAX_POSITIONS;
-    if every_us < least_us {
-        return Err(CliError::Input(format!(
-            "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"
-        )));
-    }
-    Ok(())
+    case.window() * 1e6 * case.eye.regions().len() as f64 / MAX_POSITIONS
 }
 
 /// Writes a file whole or not at all.
 fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
     whole_file::write(path, write).map_err(|error| match error.kind() {
-        io::ErrorKind::Interrupted => interrupted(Refusal::Cancelled),
+        io::ErrorKind::Interrupted => CliError::stopped(Refusal::Cancelled, UNWRITTEN),
         io::ErrorKind::BrokenPipe => CliError::Output(error),
         _ => CliError::Failed(format!("cannot write {}: {error}", printable_path(path))),
     })

@@ -19,13 +19,10 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         )));
     };
     let asked = args.scenarios.scenarios()?;
-    let command = repeating(args);
     let entries = answered(&asked, |scenario| keep(scenario), "nothing was written")?;
-    let failed = |error| CliError::Failed(format!("cannot write {name}: {error}"));
-    whole_file::write(&args.output, |file| write(form, &entries, Some(&command), file))
-        .map_err(failed)?;
-    writeln!(out, "{name}: written")?;
-    Ok(())
+    whole_file::write(&args.output, |file| write(form, &entries, Some(&repeating(args)), file))
+        .map_err(|error| CliError::Failed(format!("cannot write {name}: {error}")))?;
+    Ok(writeln!(out, "{name}: written")?)
 }
 
 /// What was typed, as a shell takes it.
@@ -35,13 +32,8 @@ fn repeating(args: &ReportArgs) -> String {
     for set in &changes.assignments {
         words.extend(["--set".to_owned(), format!("{}={}", set.path, set.text)]);
     }
-    let flags = [
-        ("--level", &changes.level),
-        ("--integrator", &changes.integrator),
-        ("--step-us", &changes.step_us),
-    ];
-    for (flag, text) in flags {
-        words.extend(text.iter().flat_map(|text| [flag.to_owned(), text.clone()]));
+    for (flag, _, text) in changes.short() {
+        words.extend([flag.to_owned(), text.clone()]);
     }
     words.extend(["-o".to_owned(), args.output.display().to_string()]);
     printable(&line("report", &words)).into_owned()

@@ -5,8 +5,8 @@
 //! are there and does the rest. The heading holds a fingerprint of scenario, grid and version, by
 //! which a file of another sweep is known and left alone.
 
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
+use std::fs::{File, TryLockError};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use std::str::FromStr;
 
@@ -68,8 +68,7 @@ pub fn run(args: &SweepArgs, out: &mut (dyn Write + Send)) -> Result<(), CliErro
     let said = |what: &str| format!("{}: {what}", printable_path(path));
     if left == 0 {
         let text = format!("all {} rows are there: nothing to do", rows.len());
-        writeln!(out, "{}", said(&text))?;
-        return Ok(());
+        return Ok(writeln!(out, "{}", said(&text))?);
     }
     // One call, so that a kill tears at most this line.
     let put = |line: &str| file.write_all(line.as_bytes());
@@ -78,8 +77,7 @@ pub fn run(args: &SweepArgs, out: &mut (dyn Write + Send)) -> Result<(), CliErro
         other => other,
     })?;
     let before = if done > 0 { format!(" to the {done} that were there") } else { String::new() };
-    writeln!(out, "{}", said(&format!("{left} rows added{before}")))?;
-    Ok(())
+    Ok(writeln!(out, "{}", said(&format!("{left} rows added{before}")))?)
 }
 
 /// Does rows from the `done`th on and writes each as one line, in their order.
@@ -124,25 +122,19 @@ fn open(
     let failed = |error: io::Error| CliError::Failed(format!("cannot write {name}: {error}"));
     let refused = |why: String| CliError::Input(format!("--out {name}: {why}"));
     if path.metadata().is_ok_and(|m| !m.is_file()) {
-        return Err(refused(
-            "is not a regular file; without --out rows go to standard output".to_owned(),
-        ));
+        let why = "is not a regular file; without --out rows go to standard output";
+        return Err(refused(why.to_owned()));
     }
-    let mut options = OpenOptions::new();
-    let mut file =
-        options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) => {
-            return Err(CliError::Failed(format!("{name} is being written by another run")));
-        }
-        // Some network file systems have no locks; then nobody is told of a second writer.
-        Ok(()) | Err(TryLockError::Error(_)) => {}
+    let file = File::options().read(true).write(true).create(true).truncate(false).open(path);
+    let mut file = file.map_err(failed)?;
+    // Some network file systems have no locks; then nobody is told of a second writer.
+    if let Err(TryLockError::WouldBlock) = file.try_lock() {
+        return Err(CliError::Failed(format!("{name} is being written by another run")));
     }
     let mut reader = BufReader::new(&file);
     let mut head = Vec::new();
     let length = heading.len() as u64;
-    let read = reader.by_ref().take(length).read_to_end(&mut head);
-    read.map_err(failed)?;
+    reader.by_ref().take(length).read_to_end(&mut head).map_err(failed)?;
     let first_line = |text: &str| quoted(text.lines().next().unwrap_or_default());
     if !heading.as_bytes().starts_with(&head) {
         return Err(refused(format!(
@@ -154,9 +146,8 @@ fn open(
     // A heading that is torn holds no rows.
     let fresh = head.len() < heading.len();
     let (mut done, mut whole) = (0, length);
-    let mut line = Vec::new();
     loop {
-        line.clear();
+        let mut line = Vec::new();
         let read = reader.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut line);
         let read = read.map_err(failed)? as u64;
         if read < LONGEST_LINE && line.last() != Some(&b'\n') {
@@ -184,13 +175,10 @@ fn open(
         done += 1;
         whole += read;
     }
-    let keep = if fresh { 0 } else { whole };
-    file.set_len(keep).map_err(failed)?;
+    file.set_len(if fresh { 0 } else { whole }).map_err(failed)?;
     file.seek(SeekFrom::End(0)).map_err(failed)?;
     if fresh {
-        let mut writer = BufWriter::new(&file);
-        writer.write_all(heading.as_bytes()).map_err(failed)?;
-        writer.flush().map_err(failed)?;
+        file.write_all(heading.as_bytes()).map_err(failed)?;
     }
     Ok((file, done))
 }
