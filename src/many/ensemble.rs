@@ -92,14 +92,14 @@ fn drawn(
 ) -> (Scenario, Vec<f64>) {
     let mut changed = scenario.clone();
     changed.doubt.clear();
-    let mut values = Vec::with_capacity(inputs.len());
-    for (dimension, input) in (0..).zip(inputs) {
+    let draw = |(dimension, input): (u32, &UncertainInput)| {
         // The sequence has 23 bits; the middle of its cell is never 0 or 1.
         let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 8_388_608.0;
         let value = input.value(u);
         input.put(&mut changed, value);
-        values.push(value);
-    }
+        value
+    };
+    let values = (0..).zip(inputs).map(draw).collect();
     (changed, values)
 }
 
@@ -281,21 +281,37 @@ mod tests {
         scenario
     }
 
-    fn proceed(_: &Ensemble) -> ControlFlow<()> {
-        ControlFlow::Continue(())
+    /// The same with all that is published held to be known, but for one input.
+    fn sure(but: &str) -> Scenario {
+        let mut sure = quick();
+        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
+            if input.field.path != but {
+                sure.doubt.insert(input.field.path.to_owned(), 0.0);
+            }
+        }
+        sure
+    }
+
+    /// Runs it, or what `known` lacks, until there are `most` samples.
+    fn until(
+        scenario: &Scenario,
+        asked: (u32, u32),
+        known: Option<Ensemble>,
+        most: usize,
+    ) -> Ensemble {
+        let early = |so_far: &Ensemble| stop_if(so_far.samples.len() >= most);
+        run(&scenario.check().unwrap(), asked, known, &AtomicBool::new(false), &early).unwrap()
     }
 
     fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
-        run(&scenario.check().unwrap(), (count, seed), None, &AtomicBool::new(false), &proceed)
-            .unwrap()
+        until(scenario, (count, seed), None, usize::MAX)
     }
 
     #[test]
     fn any_number_of_threads_gives_the_same_bits() {
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-            let pool = pool.build().unwrap();
-            pool.install(|| ensemble(&quick(), 70, 3))
+            pool.build().unwrap().install(|| ensemble(&quick(), 70, 3))
         };
         let one = on(1);
         assert_eq!(one.samples.len(), 70);
@@ -308,25 +324,18 @@ mod tests {
     #[test]
     fn a_stopped_one_is_a_smaller_one_and_goes_on_to_the_whole() {
         let whole = ensemble(&quick(), 40, 1);
-        let scenario = quick().check().unwrap();
         for most in [3, 8, 16] {
-            let early = |so_far: &Ensemble| stop_if(so_far.samples.len() >= most);
-            let stop = AtomicBool::new(false);
-            let part = run(&scenario, (40, 1), None, &stop, &early).unwrap();
+            let part = until(&quick(), (40, 1), None, most);
             assert!(part.stopped() && !whole.stopped());
             assert_eq!(part.samples, whole.samples[..most]);
-            let stop = AtomicBool::new(false);
-            let rest = run(&scenario, (40, 1), Some(part), &stop, &proceed).unwrap();
+            let rest = until(&quick(), (40, 1), Some(part), usize::MAX);
             assert_eq!((rest.samples, rest.cap), (whole.samples.clone(), whole.cap));
         }
     }
 
     #[test]
     fn seeds_differ_and_what_is_known_for_sure_has_no_band() {
-        let mut sure = quick();
-        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
-            sure.doubt.insert(input.field.path.to_owned(), 0.0);
-        }
+        let mut sure = sure("");
         let first = ensemble(&sure, 8, 1);
         assert_eq!(first.inputs.len(), 1);
         let (a, b) = (ensemble(&sure, 8, 2), first.band(Quantity::Damage).unwrap());
@@ -340,17 +349,12 @@ mod tests {
 
     #[test]
     fn a_result_outside_its_band_is_found_with_the_input_at_an_end_of_its_spread() {
-        let mut fat = quick();
-        fat.doubt.clear();
-        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
-            assert_eq!(
-                input.stands_at_an_end(),
-                ["eye.fat_kpa", "eye.lens_kpa"].contains(&input.field.path)
-            );
-            if input.field.path != "eye.fat_kpa" {
-                fat.doubt.insert(input.field.path.to_owned(), 0.0);
-            }
-        }
+        let inputs = inputs(&quick());
+        let ends = inputs.iter().filter(|i| i.source.is_some() && i.stands_at_an_end());
+        let ends: Vec<&str> = ends.map(|input| input.field.path).collect();
+        assert_eq!(ends, ["eye.lens_kpa", "eye.fat_kpa"]);
+        let mut fat = sure("eye.fat_kpa");
+        fat.doubt.insert("impact.force_n".to_owned(), 0.0);
         // Soft fat lets the eye go farther than the paper's own, which stands at the stiff end.
         let soft = ensemble(&fat, 32, 1);
         let apart = |of| soft.outside(of).map(|why| why.map(|input| input.field.path));
