@@ -7,7 +7,7 @@
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
 use crate::scenario::direction::GLOBE_MM;
-use crate::scenario::{Geometry, Projectile, Scenario, Species, Support, Surface};
+use crate::scenario::{Geometry, Scenario, Species, Support, Surface};
 use std::f64::consts::FRAC_PI_4;
 
 /// Diameters up to which objects were tested, and from which they count as unlike, in mm.
@@ -50,12 +50,6 @@ fn ramp(value: f64, (from, to): (f64, f64)) -> f64 {
     ((value - from) / (to - from)).clamp(0.0, 1.0)
 }
 
-/// Kinetic energy of an object over its area, J/m2.
-fn energy_over_area(projectile: &Projectile) -> f64 {
-    let (diameter, speed) = (projectile.diameter_m(), projectile.speed_m_s);
-    0.5 * projectile.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter)
-}
-
 fn softness(surface: Surface) -> f64 {
     match surface {
         Surface::Hard => 0.0,
@@ -88,9 +82,11 @@ impl Blow {
             // Nobody has pushed an eye with a given force.
             return Self { wider: 1.0, aslant, ..Self::default() };
         };
-        let energy = energy_over_area(object);
+        let (diameter, speed) = (object.diameter_m(), object.speed_m_s);
+        let energy = 0.5 * object.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter);
         let wider = ramp(object.diameter_mm, WIDTH_MM);
         let softness = softness(object.surface);
+        let round = in_round_orbit(scenario);
         let human = scenario.model.species() == Species::Human;
         let inflated = matches!(object.surface, Surface::Inflated { .. });
         Self {
@@ -98,11 +94,7 @@ impl Blow {
             tested: if human { (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness) } else { 0.0 },
             wider,
             aslant,
-            round_rim: if in_round_orbit(scenario) {
-                ramp(object.diameter_mm, MEETS_BONE_MM)
-            } else {
-                0.0
-            },
+            round_rim: if round { ramp(object.diameter_mm, MEETS_BONE_MM) } else { 0.0 },
             goes_in: wider == 0.0 && softness == 0.0 && energy >= GOES_IN,
             sucks: inflated && object.diameter_mm > ORBIT_MM,
         }

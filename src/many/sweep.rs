@@ -199,7 +199,6 @@ pub fn fnv1a(text: &str) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::watch::unwatched;
 
     fn sweep(axes: &[&str]) -> Result<Sweep, ScenarioError> {
         let axes = axes.iter().map(|a| SweepAxis::read(a).unwrap()).collect();
@@ -214,39 +213,30 @@ mod tests {
         assert_eq!(values("a=5:-5:3"), ["5", "0", "-5"]);
         assert_eq!(values("a=2:2:1"), ["2"]);
         assert_eq!(values("a=x, y"), ["x", "y"]);
-        for bad in
-            ["a", "a=", "=1", "a=1:2", "a=1:2:0", "a=1:2:x", "a=1:2:1", "a=1,,2", "a=nan:1:2"]
-        {
-            assert!(SweepAxis::read(bad).is_err(), "{bad}");
+        for bad in ["", "=", "=1:2", "=1:2:0", "=1:2:x", "=1:2:1", "=1,,2", "=nan:1:2"] {
+            assert!(SweepAxis::read(&format!("a{bad}")).is_err(), "{bad}");
         }
+        assert!(SweepAxis::read("=1").is_err());
     }
 
     #[test]
     fn rows_go_through_the_grid_with_the_last_axis_fastest() {
-        let sweep =
-            sweep(&["impact.force_n=100:300:3", "impact.shape=triangle,half-sine"]).unwrap();
+        let axes = ["impact.force_n=100:300:3", "impact.shape=triangle,half-sine"];
+        let sweep = sweep(&axes).unwrap();
         assert_eq!(sweep.rows(), 6);
         assert_eq!(sweep.values(0), ["100", "Triangle"]);
         assert_eq!(sweep.values(3), ["200", "HalfSine"]);
-        let row = sweep.run(3, &mut unwatched).unwrap();
-        let point = row.outcome.unwrap();
-        assert!(point.values[Quantity::Damage].unwrap() > 0.0 && point.check.unwrap().last <= 0.1);
     }
 
     #[test]
-    fn what_makes_no_sense_is_refused_at_once_and_what_only_clashes_is_a_row() {
+    fn what_is_varied_twice_and_too_many_rows_are_refused() {
         let refused = |axes: &[&str]| sweep(axes).unwrap_err().to_string();
-        assert!(refused(&["impact.farce=1:2:2"]).contains("did you mean"));
-        assert!(refused(&["impact.force_n=0:1e9:2"]).contains("allowed 0 to 100000 N"));
         assert!(refused(&["window_ms=1,2", "window=3"]).contains("twice"));
         assert_eq!(
             refused(&["window_ms=1:2:9999", "impact.force_n=1:2:9999"]),
             "window_ms and impact.force_n: 9999 x 9999 = 99980001 rows are too many: allowed up to \
              10000000"
         );
-        let clash = sweep(&["impact.angle_deg=0,60"]).unwrap();
-        let row = clash.run(1, &mut unwatched).unwrap();
-        assert!(row.outcome.unwrap_err().contains("bone shields"));
     }
 
     #[test]
