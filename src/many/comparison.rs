@@ -6,13 +6,14 @@
 
 use std::borrow::Borrow;
 use std::cmp::Ordering;
-use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, PoisonError};
 
 use crate::answer::complete::complete;
 use crate::answer::solve::{Answer, solve};
-use crate::run::{kept::Keep, ordered, ordered::until, quantity::Quantity, refusal::Refusal};
+use crate::run::ordered::{self, until};
+use crate::run::refusal::{Refusal, unstopped};
+use crate::run::{kept::Keep, quantity::Quantity};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// The share of the progress of an answer that stands for its first run.
@@ -177,25 +178,15 @@ pub fn compare(
         })?;
         Ok(answer)
     };
-    let mut entries = Vec::new();
     let job = |at: usize| {
         let (name, scenario) = &asked[at];
-        let found = match solved(at, scenario) {
-            Err(Refusal::Cancelled) => return None,
-            Err(refusal) => Found::Refused(refusal.to_string()),
-            Ok(answer) => Found::Answer(answer),
-        };
+        let solved = unstopped(solved(at, scenario))?;
+        tell(at, 1.0);
+        let refused = |refusal: Refusal| Found::Refused(refusal.to_string());
+        let found = solved.map_or_else(refused, Found::Answer);
         Some(Entry { found, ..Entry::new(name, scenario) })
     };
-    ordered::run((0, asked.len()), stop, job, |at, entry| {
-        tell(at, 1.0);
-        entries.push(entry);
-        ControlFlow::Continue(())
-    });
-    if entries.len() < asked.len() {
-        return Err(Refusal::Cancelled);
-    }
-    Ok(entries)
+    ordered::all(asked.len(), stop, job, |_| {})
 }
 
 #[cfg(test)]

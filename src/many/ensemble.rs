@@ -21,7 +21,8 @@ use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
 use crate::injury::{Blow, Injury, PerInjury};
 use crate::many::statistics::median;
 use crate::run::ordered::{self, until};
-use crate::run::{refusal::Refusal, threads};
+use crate::run::refusal::{Refusal, unstopped};
+use crate::run::threads;
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
@@ -172,10 +173,8 @@ impl Job<'_> {
             });
             put_curves(answer, &Blow::of(&scenario), drawn[place], &moved);
         }
-        match outcome {
-            Err(Refusal::Cancelled) => None,
-            other => Some(Sample { drawn, outcome: other.map_err(|refusal| name(&refusal)) }),
-        }
+        let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal));
+        Some(Sample { drawn, outcome })
     }
 }
 
@@ -242,10 +241,9 @@ pub fn run(
         Some(known) => Ensemble { asked: count, ..known },
         None => Ensemble {
             inputs: inputs.clone(),
-            nominal: match single(scenario, None, &mut until(stop)) {
-                Err(Refusal::Cancelled) => None,
-                other => Some(other?.values),
-            },
+            nominal: unstopped(single(scenario, None, &mut until(stop)))
+                .transpose()?
+                .map(|answer| answer.values),
             samples: Vec::new(),
             asked: count,
             seed,

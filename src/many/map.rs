@@ -10,7 +10,8 @@
 use crate::answer::{brief::single, results::Results};
 use crate::many::sweep::spaced;
 use crate::run::ordered::{self, until};
-use crate::run::{quantity::Quantity, refusal::Refusal};
+use crate::run::quantity::Quantity;
+use crate::run::refusal::{Refusal, unstopped};
 use crate::scenario::fields::Field;
 use crate::scenario::{Scenario, set};
 use std::cmp::Reverse;
@@ -184,12 +185,12 @@ pub fn scenario_at(
 
 fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
     let checked = scenario.check().map_err(Refusal::from);
-    match checked.and_then(|scenario| single(&scenario, None, &mut until(stop))) {
-        Ok(point) if point.folded() => Some(Spot::Folded(point.values)),
-        Ok(point) => Some(Spot::Known(point.values)),
-        Err(Refusal::Cancelled) => None,
-        Err(_) => Some(Spot::Refused),
-    }
+    let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
+    Some(match unstopped(run)? {
+        Ok(point) if point.folded() => Spot::Folded(point.values),
+        Ok(point) => Spot::Known(point.values),
+        Err(_) => Spot::Refused,
+    })
 }
 
 /// Called with the grid so far after each point, on any thread; `Break` stops the rest.

@@ -7,7 +7,8 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::brief::{BriefAnswer, checked};
-use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
+use crate::run::refusal::{Refusal, unstopped};
+use crate::run::{quantity::Quantity, watch::Watch};
 use crate::scenario::load::to_ron;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::set::{full_path, model_first, set};
@@ -171,10 +172,8 @@ impl Sweep {
     /// Runs a row; nothing if the watch stopped it.
     pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
         let scenario = self.scenario(number).map_err(Refusal::from);
-        let outcome = match scenario.and_then(|scenario| checked(&scenario, watch)) {
-            Err(Refusal::Cancelled) => return None,
-            other => other.map_err(|refusal| refusal.to_string()),
-        };
+        let outcome = unstopped(scenario.and_then(|scenario| checked(&scenario, watch)))?;
+        let outcome = outcome.map_err(|refusal| refusal.to_string());
         let values = self.values(number).into_iter().map(str::to_owned).collect();
         Some(SweepRow { number, values, outcome })
     }

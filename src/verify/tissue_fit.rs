@@ -25,7 +25,6 @@ use crate::scenario::{
 use crate::scenario::{fields::find, set::put_number};
 use std::cell::RefCell;
 use std::f64::consts::FRAC_PI_4;
-use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 /// An object that eyes were tested with: a ball, or a rod with a flat face.
@@ -346,16 +345,13 @@ fn found(runs: &Runs) -> TissueFits {
 }
 
 /// Runs the kinds and finds the curves again; `progress` is told the share done.
-pub fn fit_tissues(mut progress: impl FnMut(f64) + Send) -> TissueFits {
+pub fn fit_tissues(progress: impl FnMut(f64) + Send) -> TissueFits {
     let needed = Runs::default();
     found(&needed);
     let asked = needed.asked.into_inner();
-    let mut all = Vec::new();
     let run = |index: usize| Some(felt(&asked[index]));
-    ordered::run((0, asked.len()), &AtomicBool::new(false), run, |_, felt| {
-        all.push(felt);
-        progress(all.len() as f64 / asked.len() as f64);
-        ControlFlow::Continue(())
-    });
-    found(&Runs { asked: RefCell::new(asked), felt: all })
+    // Nobody stops it.
+    let felt =
+        ordered::all(asked.len(), &AtomicBool::new(false), run, progress).unwrap_or_default();
+    found(&Runs { asked: RefCell::new(asked), felt })
 }

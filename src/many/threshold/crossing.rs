@@ -7,7 +7,8 @@ use crate::answer::solve::{Answer, solve};
 use crate::answer::{brief::single, complete::complete, results::Results};
 use crate::injury::{Blow, Injury, Known, Risk};
 use crate::many::root::{Bracket, narrowed};
-use crate::run::{flags::Flag, kept::Keep, ordered::until, refusal::Refusal, threads::beside};
+use crate::run::refusal::{Refusal, unstopped};
+use crate::run::{flags::Flag, kept::Keep, ordered::until, threads::beside};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 pub(super) const WIDTH: f64 = 1e-4;
@@ -51,6 +52,11 @@ pub struct RiskThere {
     pub range: (Option<f64>, Option<f64>),
 }
 
+/// What came of a run that may fail; only who stopped it wants no more.
+fn if_known<T>(outcome: Result<T, Refusal>) -> Result<Option<T>, Refusal> {
+    unstopped(outcome).map(Result::ok).ok_or(Refusal::Cancelled)
+}
+
 impl ThresholdSearch {
     /// The crossing within a bracket, of results that range over `spread` on the grid.
     pub(super) fn crossing(
@@ -90,13 +96,10 @@ impl ThresholdSearch {
             crossing.risk = answer.risk(injury).map(|risk| RiskThere { risk, range });
             return Ok(crossing);
         }
-        let [low, high] = self.aside(at).map(|end| match self.answer_at(end, stop) {
-            Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
-            // Beyond there is nothing: the slope is not known.
-            solved => Ok(solved.ok()),
-        });
-        let ends = low?.zip(high?);
         let [from, to] = self.aside(at);
+        // Where nothing is beyond an end the slope is not known.
+        let [low, high] = [from, to].map(|end| if_known(self.answer_at(end, stop)));
+        let ends = low?.zip(high?);
         let slope = ends.map_or(f64::NAN, |(low, high)| {
             let value = |answer: &Answer| answer.results()[self.quantity].unwrap_or(f64::NAN);
             (value(&high) - value(&low)) / (to - from)
@@ -133,10 +136,7 @@ impl ThresholdSearch {
         // Whether the upper or lower end of the range has the target at a value, if it is known.
         let reached = |value: f64, upper: bool| {
             let scenario = self.at(value)?;
-            let run = match single(&scenario, None, &mut until(stop)) {
-                Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
-                other => other.ok(),
-            };
+            let run = if_known(single(&scenario, None, &mut until(stop)))?;
             let measure = injury.measure();
             let value = run.and_then(|run| run.values[measure]);
             Ok(value.map(|value| {

@@ -17,7 +17,7 @@ mod question;
 #[cfg(test)]
 mod tests;
 
-use std::ops::ControlFlow;
+use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
 pub use crossing::{Crossing, RiskThere};
@@ -27,7 +27,8 @@ use crate::answer::solve::{Answer, solve};
 use crate::answer::{brief::single, results::Results};
 use crate::many::{root::Bracket, sweep::spaced};
 use crate::run::ordered::{self, until};
-use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal};
+use crate::run::refusal::{Refusal, unstopped};
+use crate::run::{kept::Keep, quantity::Quantity};
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{Bounds, Field};
 use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain};
@@ -73,8 +74,8 @@ pub struct Threshold {
     pub crossings: Vec<Crossing>,
 }
 
-/// Values of the field, and the result there if there is one, or why nothing could be computed.
-type Seen = Result<Vec<(f64, Result<Option<f64>, String>)>, Refusal>;
+/// A result, if there is one, or why nothing could be computed.
+type Looked = Result<Option<f64>, String>;
 
 impl ThresholdSearch {
     /// Varies `FIELD` or `FIELD=FROM:TO` until a result has a value, see [`wanted`].
@@ -165,9 +166,7 @@ impl ThresholdSearch {
             let near = five_nearest(self.quantity.key(), there);
             return Err(self.absent(&format!("; the nearest that it has: {near}")));
         }
-        let known = |result: Result<Option<f64>, String>| {
-            result.and_then(|value| value.ok_or_else(|| "no such result there".to_owned()))
-        };
+        let known = |looked: Looked| looked?.ok_or_else(|| "no such result there".to_owned());
         let seen: Vec<_> = seen.into_iter().map(|(at, result)| (at, known(result))).collect();
         let brackets = self.brackets(&seen);
         let mut crossings = Vec::new();
@@ -184,30 +183,29 @@ impl ThresholdSearch {
     /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th
     /// value is looked at first, and others only between two of which one has no result, or where
     /// the target may lie. Each is one run: its error matters at a crossing, where it is stated.
-    fn run_grid(&self, stop: &AtomicBool, progress: &mut (impl FnMut(f64) + Send)) -> Seen {
+    fn run_grid(
+        &self,
+        stop: &AtomicBool,
+        progress: &mut (impl FnMut(f64) + Send),
+    ) -> Result<Vec<(f64, Looked)>, Refusal> {
         let grid = self.grid();
         let last = grid.len() - 1;
-        let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
         let coarse = if self.narrow { 1 } else { COARSE };
         let first: Vec<usize> = (0..=last).filter(|i| i % coarse == 0 || *i == last).collect();
-        let mut done = 0;
-        let mut run_at = |at: &[usize], seen: &mut Vec<_>| {
-            let run = |i: usize| match self.results_at(grid[at[i]], stop) {
-                Err(Refusal::Cancelled) => None,
-                Err(refusal) => Some(Err(refusal.to_string())),
-                Ok(results) => Some(Ok(results[self.quantity])),
+        let mut seen = BTreeMap::new();
+        let mut look = |at: &[usize], seen: &mut BTreeMap<usize, Looked>| {
+            let run = |i: usize| {
+                let results = unstopped(self.results_at(grid[at[i]], stop))?;
+                Some(results.map(|all| all[self.quantity]).map_err(|error| error.to_string()))
             };
-            let begun = done;
-            ordered::run((0, at.len()), stop, run, |i, result| {
-                seen[at[i]] = Some(result);
-                done += 1;
-                progress(LOOKED * done as f64 / grid.len() as f64);
-                ControlFlow::Continue(())
-            });
-            if done < begun + at.len() { Err(Refusal::Cancelled) } else { Ok(()) }
+            let share =
+                |part: f64| (seen.len() as f64 + part * at.len() as f64) / grid.len() as f64;
+            let found = ordered::all(at.len(), stop, run, |part| progress(LOOKED * share(part)))?;
+            seen.extend(at.iter().copied().zip(found));
+            Ok::<_, Refusal>(())
         };
-        run_at(&first, &mut seen)?;
-        let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
+        look(&first, &mut seen)?;
+        let value = |i: usize| seen[&i].clone().ok().flatten();
         let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
             (Some(a), Some(b)) => {
                 let slack = (a - b).abs();
@@ -217,9 +215,8 @@ impl ThresholdSearch {
         };
         let pairs = first.windows(2).map(|pair| (pair[0], pair[1]));
         let between = pairs.filter(|pair| worth(*pair)).flat_map(|(a, b)| a + 1..b);
-        run_at(&between.collect::<Vec<_>>(), &mut seen)?;
-        let pairs = grid.into_iter().zip(seen);
-        Ok(pairs.filter_map(|(at, result)| Some((at, result?))).collect())
+        look(&between.collect::<Vec<_>>(), &mut seen)?;
+        Ok(seen.into_iter().map(|(i, looked)| (grid[i], looked)).collect())
     }
 
     /// The results of one run at a value of the field.
