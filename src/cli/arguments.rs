@@ -6,7 +6,6 @@
 use std::io::{self, Write};
 use std::mem::discriminant;
 use std::path::Path;
-use std::str::FromStr;
 
 use clap::Args;
 use clap::error::{ContextKind, ContextValue};
@@ -47,8 +46,8 @@ pub struct ScenariosArgs {
 pub struct Changes {
     /// Change one field, as in `impact.force_n=450`, or with its doubt, as in
     /// `impact.force_n="450 +- 20"`; may be repeated, the last one wins
-    #[arg(long = "set", value_name = "FIELD=VALUE")]
-    pub assignments: Vec<Assignment>,
+    #[arg(long = "set", value_name = "FIELD=VALUE", value_parser = assignment)]
+    pub assignments: Vec<(String, String)>,
     /// Mesh level, 1 to 8, of the Physiological model 1 to 5; short for `--set eye.level=K`
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub level: Option<String>,
@@ -60,33 +59,22 @@ pub struct Changes {
     pub step_us: Option<String>,
 }
 
-/// One `FIELD=VALUE`, the value as typed.
-#[derive(Debug, Clone)]
-pub struct Assignment {
-    pub path: String,
-    pub text: String,
-}
-
 /// What `--integrator` may be, a line for each.
 fn integrators() -> String {
     let mut text = "Integrator; short for `--set numerics.integrator=NAME`\n".to_owned();
     for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {
         let (name, about, order) = (method.name, method.about, method.order);
-        let evaluations = method.evaluations();
-        text +=
-            &format!("\n- {name}: {about} Order {order}; force evaluations a step: {evaluations}.");
+        let each = method.evaluations();
+        text += &format!("\n- {name}: {about} Order {order}; force evaluations a step: {each}.");
     }
     text + "\n- auto: the program chooses."
 }
 
-impl FromStr for Assignment {
-    type Err = &'static str;
-
-    fn from_str(typed: &str) -> Result<Self, Self::Err> {
-        let (path, text) =
-            typed.split_once('=').ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
-        Ok(Self { path: path.trim().to_owned(), text: text.to_owned() })
-    }
+/// Reads `FIELD=VALUE`; the value stays as typed.
+fn assignment(typed: &str) -> Result<(String, String), &'static str> {
+    let (path, text) =
+        typed.split_once('=').ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
+    Ok((path.trim().to_owned(), text.to_owned()))
 }
 
 impl ScenarioArgs {
@@ -97,9 +85,8 @@ impl ScenarioArgs {
 
     /// Where the scenario's file gives `field`, as `file:line:column`; nothing if a flag does.
     pub fn place_of(&self, field: &str) -> Option<String> {
-        let set = |a: &Assignment| field.contains(&a.path);
         let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
-            || self.changes.assignments.iter().any(set);
+            || self.changes.assignments.iter().any(|(path, _)| field.contains(path));
         let source = with_own_changes(&self.source).0;
         let path = Path::new(source);
         if by_flag || !path.is_file() {
@@ -133,9 +120,10 @@ impl Changes {
     fn made_to(&self, typed: &str) -> Result<CheckedScenario, CliError> {
         let (source, own) = with_own_changes(typed);
         let mut scenario = resolve(source)?;
-        let set = self.assignments.iter().map(|Assignment { path, text }| {
-            (format!("--set {path}={text}"), path.as_str(), text.as_str())
-        });
+        let set = self
+            .assignments
+            .iter()
+            .map(|(path, text)| (format!("--set {path}={text}"), path.as_str(), text.as_str()));
         let own = own.into_iter().map(|(path, text)| {
             let path = if path == AT { usual(&scenario).0 } else { path };
             (typed.to_owned(), path, text)
@@ -191,13 +179,10 @@ fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
     ends.push(typed.len());
     let parts = ends.windows(2).filter_map(|at| typed[at[0] + 1..at[1]].split_once('='));
     let head = &typed[..ends[0]];
-    match head.rsplit_once(AT) {
-        Some((name, speed))
-            if !name.is_empty() && speed.starts_with(|c: char| c.is_ascii_digit()) =>
-        {
-            (name, std::iter::once((AT, speed)).chain(parts).collect())
-        }
-        _ => (head, parts.collect()),
+    let begins_speed = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    match head.rsplit_once(AT).filter(|(name, text)| !name.is_empty() && begins_speed(text)) {
+        Some((name, speed)) => (name, std::iter::once((AT, speed)).chain(parts).collect()),
+        None => (head, parts.collect()),
     }
 }
 

@@ -210,7 +210,7 @@ struct SweepArgs {
     #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = SweepAxis::read)]
     vary: Vec<SweepAxis>,
     /// Only the rows r with r mod N = I - 1; all N shards together are the whole
-    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = Shard::read)]
     shard: Shard,
     /// Append to this file, and go on where an earlier run of the same command ended
     #[arg(long, value_name = "FILE")]

@@ -29,8 +29,8 @@ pub fn run(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError> {
 fn repeating(args: &ReportArgs) -> String {
     let changes = &args.scenarios.changes;
     let mut words = args.scenarios.sources.clone();
-    for set in &changes.assignments {
-        words.extend(["--set".to_owned(), format!("{}={}", set.path, set.text)]);
+    for (path, text) in &changes.assignments {
+        words.extend(["--set".to_owned(), format!("{path}={text}")]);
     }
     for (flag, _, text) in changes.short() {
         words.extend([flag.to_owned(), text.clone()]);

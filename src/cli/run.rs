@@ -63,8 +63,8 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
 /// The path of a `--set` that gives mesh level, integrator or step, or a group with them.
 fn numerics_set<'a>(args: &'a RunArgs, scenario: &Scenario) -> Option<&'a str> {
     let level_is_given = scenario.eye.level != EyeInput::default().level;
-    let paths = args.scenario.changes.assignments.iter().map(|a| a.path.as_str());
-    paths.into_iter().find(|path| match full_path(scenario, path) {
+    let mut paths = args.scenario.changes.assignments.iter().map(|(path, _)| path.as_str());
+    paths.find(|path| match full_path(scenario, path) {
         "eye.level" => true,
         "eye" => level_is_given,
         path => path.starts_with("numerics"),

@@ -8,7 +8,6 @@
 use std::fs::{File, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
-use std::str::FromStr;
 
 use crate::cli::{CliError, SweepArgs, arguments::complaints};
 use crate::cli::{interrupt, progress::shown};
@@ -27,10 +26,9 @@ pub struct Shard {
     of: usize,
 }
 
-impl FromStr for Shard {
-    type Err = &'static str;
-
-    fn from_str(typed: &str) -> Result<Self, Self::Err> {
+impl Shard {
+    /// Reads `I/N`.
+    pub fn read(typed: &str) -> Result<Self, &'static str> {
         let wanted = "expected I/N with I from 1 to N and N up to 1000000, as in 3/8";
         let (index, of) = typed.split_once('/').ok_or(wanted)?;
         match (index.trim().parse(), of.trim().parse()) {
@@ -40,9 +38,7 @@ impl FromStr for Shard {
             _ => Err(wanted),
         }
     }
-}
 
-impl Shard {
     /// Its rows of a grid of so many.
     fn rows(self, all: usize) -> Vec<usize> {
         (self.index - 1..all).step_by(self.of).collect()
@@ -189,11 +185,10 @@ mod tests {
 
     #[test]
     fn shards_are_read_and_may_be_empty() {
-        let shard = |text: &str| text.parse::<Shard>();
         for bad in ["", "1", "0/2", "3/2", "a/b", "-1/2", "1/0"] {
-            assert!(shard(bad).is_err(), "{bad}");
+            assert!(Shard::read(bad).is_err(), "{bad}");
         }
-        assert_eq!(shard("2/3").unwrap().rows(10), [1, 4, 7]);
-        assert!(shard("5/5").unwrap().rows(3).is_empty());
+        assert_eq!(Shard::read("2/3").unwrap().rows(10), [1, 4, 7]);
+        assert!(Shard::read("5/5").unwrap().rows(3).is_empty());
     }
 }

@@ -46,28 +46,18 @@ pub struct Entry<A = Answer> {
 impl<A: Borrow<Answer>> Entry<A> {
     /// An entry without an answer yet.
     pub fn new(name: &str, scenario: &Scenario) -> Self {
-        Self {
-            name: name.to_owned(),
-            scenario: scenario.clone(),
-            found: Found::Awaited,
-            without_mesh: false,
-        }
+        let (name, scenario) = (name.to_owned(), scenario.clone());
+        Self { name, scenario, found: Found::Awaited, without_mesh: false }
     }
 
     /// The answer, if there is one.
     pub fn answer(&self) -> Option<&Answer> {
-        match &self.found {
-            Found::Answer(answer) => Some(answer.borrow()),
-            _ => None,
-        }
+        if let Found::Answer(answer) = &self.found { Some(answer.borrow()) } else { None }
     }
 
     /// Why there is no answer, if it was refused.
     pub fn refused(&self) -> Option<&str> {
-        match &self.found {
-            Found::Refused(why) => Some(why),
-            _ => None,
-        }
+        if let Found::Refused(why) = &self.found { Some(why) } else { None }
     }
 }
 
@@ -83,10 +73,7 @@ pub enum ComparisonColumn {
 impl ComparisonColumn {
     /// The value of an answer in this column, where it has one.
     pub fn of(self, answer: &Answer) -> Option<f64> {
-        match self {
-            Self::Name => None,
-            Self::Result(quantity) => answer.result(quantity),
-        }
+        if let Self::Result(quantity) = self { answer.result(quantity) } else { None }
     }
 
     /// Whether the column is the risk of an injury.
@@ -97,10 +84,9 @@ impl ComparisonColumn {
     /// Place from the left: risks, what acts on the eye, the rest.
     fn rank(self) -> u8 {
         match self {
-            Self::Name => 0,
             _ if self.is_risk() => 0,
             Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
-            Self::Result(_) => 2,
+            _ => 2,
         }
     }
 }
@@ -206,15 +192,11 @@ mod tests {
         let asked = vec![of("100"), of("300"), of("200")];
         let stop = AtomicBool::new(false);
         let mut entries = compare(&asked, |_| Keep::default(), &stop, |_| {}).unwrap();
-        let names = |entries: &[Entry]| -> Vec<String> {
-            entries.iter().map(|entry| entry.name.clone()).collect()
-        };
+        let names = |entries: &[Entry]| entries.iter().map(|e| e.name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&entries), ["100", "300", "200"]);
         entries.sort_by(|a, b| order(a, b, (ComparisonColumn::Result(Quantity::Apex), true)));
         assert_eq!(names(&entries), ["300", "200", "100"]);
-        for entry in &entries {
-            assert!(entry.answer().unwrap().errors.mesh.is_some());
-        }
+        assert!(entries.iter().all(|entry| entry.answer().unwrap().errors.mesh.is_some()));
         let columns = leading(&entries, Some(Quantity::StoredEnergy));
         assert!(columns.contains(&Quantity::StoredEnergy) && !columns.contains(&Quantity::Contact));
         stop.store(true, Memory::Relaxed);

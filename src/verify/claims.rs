@@ -283,9 +283,7 @@ fn tolerances(scene: &Scenario, reference: u32) -> Claims {
     }
     let reference = at_level(scene, reference, &mut unwatched)?;
     let damage = reference.results[Quantity::Damage];
-    let Some(exact) = damage.filter(|_| reference.folded.is_none()) else {
-        return Ok(None);
-    };
+    let Some(exact) = damage.filter(|_| reference.folded.is_none()) else { return Ok(None) };
     let mut claim = |percent| {
         let keep = Keep::default();
         let answered = within_by(&mut ladder, scene, percent, keep, &mut unwatched);

@@ -227,9 +227,7 @@ impl Runs {
             asked.push(scenario);
             asked.len() - 1
         });
-        let Some(felt) = self.felt.get(place) else {
-            return Some(f64::NAN);
-        };
+        let Some(felt) = self.felt.get(place) else { return Some(f64::NAN) };
         let felt = libm::log10((*felt)?[injury as usize]);
         felt.is_finite().then_some(felt)
     }

@@ -96,28 +96,21 @@ impl ThresholdSearch {
             crossing.risk = answer.risk(injury).map(|risk| RiskThere { risk, range });
             return Ok(crossing);
         }
-        let [from, to] = self.aside(at);
+        let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
+        let bounds = &self.bounds;
+        let [from, to] = [at - aside, at + aside].map(|x| x.clamp(bounds.min, bounds.max));
         // Where nothing is beyond an end the slope is not known.
         let [low, high] = [from, to].map(|end| if_known(self.answer_at(end, stop)));
-        let ends = low?.zip(high?);
-        let slope = ends.map_or(f64::NAN, |(low, high)| {
-            let value = |answer: &Answer| answer.results()[self.quantity].unwrap_or(f64::NAN);
-            (value(&high) - value(&low)) / (to - from)
-        });
-        let value = answer.results()[self.quantity];
+        let value = |answer: &Answer| answer.results()[self.quantity];
+        let rise = low?.zip(high?).and_then(|(low, high)| Some(value(&high)? - value(&low)?));
         let off = |errors: Option<&Results>| {
-            let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
+            let slope = rise? / (to - from);
+            let off = errors?[self.quantity]? / 100.0 * value(&answer)?.abs() / slope.abs();
             off.is_finite().then_some(off)
         };
         crossing.step = off(Some(&answer.errors.time_step));
         crossing.mesh = off(answer.errors.mesh.as_ref());
         Ok(crossing)
-    }
-
-    /// Two values on both sides of one, between which slopes are taken.
-    fn aside(&self, at: f64) -> [f64; 2] {
-        let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
-        [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
     }
 
     /// From which to which value of the field the range of a risk holds the target: by runs at
@@ -129,19 +122,16 @@ impl ThresholdSearch {
         answer: &Answer,
         stop: &AtomicBool,
     ) -> Result<(Option<f64>, Option<f64>), Refusal> {
-        let Some(there) = answer.risk(injury) else {
-            return Ok((None, None));
-        };
+        let there = answer.risk(injury).filter(|_| at > 0.0);
+        let Some(there) = there else { return Ok((None, None)) };
         let target = self.target / self.quantity.row().factor;
         // Whether the upper or lower end of the range has the target at a value, if it is known.
         let reached = |value: f64, upper: bool| {
             let scenario = self.at(value)?;
             let run = if_known(single(&scenario, None, &mut until(stop)))?;
             let measure = injury.measure();
-            let value = run.and_then(|run| run.values[measure]);
-            Ok(value.map(|value| {
-                let value = value / measure.row().factor;
-                let known = Known { value, ..there.known };
+            Ok(run.and_then(|run| run.values[measure]).map(|value| {
+                let known = Known { value: value / measure.row().factor, ..there.known };
                 let range = injury.assess(&Blow::of(&scenario), known).range;
                 (if upper { range.1 } else { range.0 }) >= target
             }))
@@ -161,16 +151,11 @@ impl ThresholdSearch {
             }
             for _ in 0..HALVINGS {
                 let middle = (near * far).sqrt();
-                match reached(middle, upper)? {
-                    Some(has) if has == upper => near = middle,
-                    _ => far = middle,
-                }
+                let has = reached(middle, upper)?;
+                *(if has == Some(upper) { &mut near } else { &mut far }) = middle;
             }
             Ok(Some((near * far).sqrt()))
         };
-        if at <= 0.0 {
-            return Ok((None, None));
-        }
         let (lower, upper) = beside(|| end(rising), || end(!rising));
         Ok((lower?, upper?))
     }
