@@ -36,14 +36,9 @@ fn hangup() -> Option<i32> {
 
 /// Turns a file that grows beyond the limit of the shell (`ulimit -f`) into an error of the write,
 /// which is reported, where the system would end the program without a word.
-#[cfg(unix)]
 pub(super) fn outlive_file_limit() -> io::Result<()> {
+    // No other system has such a signal.
+    #[cfg(unix)]
     flag::register(signal_hook::consts::signal::SIGXFSZ, Arc::default())?;
-    Ok(())
-}
-
-/// No other system has such a signal.
-#[cfg(not(unix))]
-pub(super) fn outlive_file_limit() -> io::Result<()> {
     Ok(())
 }

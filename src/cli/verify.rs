@@ -134,7 +134,9 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let (count, seed) = (scenes.scenes, scenes.seed);
     let found = shown(|progress| {
         if study.scenes() == Scenes::Sides {
-            let minutes = f64::from(count) * side_minutes(study);
+            // Of one core, for each scene.
+            let each = if matches!(study, Study::Meshes(..)) { 0.5 } else { 0.15 };
+            let minutes = f64::from(count) * each;
             progress.announce(&format!(
                 "checking {count} scenes, some {minutes:.0} minutes of one core ..."
             ));
@@ -145,11 +147,6 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         })
     })?;
     print(args, &found, claims::json, claims::text, out)
-}
-
-/// Minutes of one core that a scene from the side takes.
-fn side_minutes(study: Study) -> f64 {
-    if matches!(study, Study::Meshes(..)) { 0.5 } else { 0.15 }
 }
 
 fn run_hard_cases(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {

@@ -65,13 +65,6 @@ fn off_axis_deg(scenario: &Scenario) -> f64 {
     scenario.impact.angle_deg().abs() + beside.to_degrees()
 }
 
-/// Whether the orbit's rim is taken as round.
-fn in_round_orbit(scenario: &Scenario) -> bool {
-    let model = scenario.physiological();
-    model.is_some_and(|model| model.support == Support::Orbit)
-        && scenario.geometry() == Some(Geometry::Axisymmetric)
-}
-
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
@@ -86,7 +79,8 @@ impl Blow {
         let energy = 0.5 * object.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter);
         let wider = ramp(object.diameter_mm, WIDTH_MM);
         let softness = softness(object.surface);
-        let round = in_round_orbit(scenario);
+        let round = scenario.geometry() == Some(Geometry::Axisymmetric)
+            && scenario.physiological().is_some_and(|model| model.support == Support::Orbit);
         let human = scenario.model.species() == Species::Human;
         let inflated = matches!(object.surface, Surface::Inflated { .. });
         Self {

@@ -40,44 +40,35 @@ pub struct EnergyCurve {
 
 /// The exponent where no slope is published.
 const ASSUMED: f64 = 3.3;
-const ABSTRACT: &str = "Invest Ophthalmol Vis Sci, meeting abstract 2394472";
-const DUMA: &str = "Duma 2005, J Trauma 59:960";
 
-const fn of_abstract(injury: Injury, half: f64, steepness: f64) -> EnergyCurve {
-    EnergyCurve {
-        injury,
-        half,
-        steepness,
-        slope_known: true,
-        counts: true,
-        source: ABSTRACT,
-        data: "13 human and 13 pig eyes, 6 mm airsoft at 19 and 26 kJ/m2",
-    }
-}
-
-const fn pooled(injury: Injury, half: f64, counts: bool) -> EnergyCurve {
-    EnergyCurve {
-        injury,
-        half,
-        steepness: ASSUMED,
-        slope_known: false,
-        counts,
-        source: DUMA,
-        data: "species pooled; BBs, metal rods and foam at 2 to 122 m/s",
-    }
+/// A curve of the abstract, which publishes its slope, or else of Duma, whose is assumed.
+const fn curve(injury: Injury, half: f64, slope: Option<f64>, counts: bool) -> EnergyCurve {
+    let (steepness, source, data) = match slope {
+        Some(slope) => (
+            slope,
+            "Invest Ophthalmol Vis Sci, meeting abstract 2394472",
+            "13 human and 13 pig eyes, 6 mm airsoft at 19 and 26 kJ/m2",
+        ),
+        None => (
+            ASSUMED,
+            "Duma 2005, J Trauma 59:960",
+            "species pooled; BBs, metal rods and foam at 2 to 122 m/s",
+        ),
+    };
+    EnergyCurve { injury, half, steepness, slope_known: slope.is_some(), counts, source, data }
 }
 
 /// Every curve.
 pub static CURVES: &[EnergyCurve] = &[
-    of_abstract(Injury::GlobeRupture, 35_784.0, 2.596),
-    pooled(Injury::GlobeRupture, 23_771.0, false),
-    pooled(Injury::RetinaBack, 30_351.0, false),
-    pooled(Injury::RetinaFront, 30_351.0, false),
-    of_abstract(Injury::LensDislocation, 21_672.0, 7.221),
-    pooled(Injury::LensDislocation, 19_194.0, true),
-    of_abstract(Injury::Hyphema, 12_682.0, 1.952),
-    pooled(Injury::Hyphema, 20_188.0, true),
-    pooled(Injury::CornealAbrasion, 1_503.0, true),
+    curve(Injury::GlobeRupture, 35_784.0, Some(2.596), true),
+    curve(Injury::GlobeRupture, 23_771.0, None, false),
+    curve(Injury::RetinaBack, 30_351.0, None, false),
+    curve(Injury::RetinaFront, 30_351.0, None, false),
+    curve(Injury::LensDislocation, 21_672.0, Some(7.221), true),
+    curve(Injury::LensDislocation, 19_194.0, None, true),
+    curve(Injury::Hyphema, 12_682.0, Some(1.952), true),
+    curve(Injury::Hyphema, 20_188.0, None, true),
+    curve(Injury::CornealAbrasion, 1_503.0, None, true),
 ];
 
 impl EnergyCurve {

@@ -295,8 +295,7 @@ fn worst_error(errors: &Results, results: &Results) -> f64 {
 /// Whether a flag says that the numbers, and not only their meaning, are in doubt.
 fn doubts_numbers(flag: &Flag) -> bool {
     use FlagKind as F;
-    let kinds = [F::MeshFolded, F::Unconverged, F::EnergyImbalance, F::LostInRounding];
-    kinds.contains(&flag.kind)
+    [F::MeshFolded, F::Unconverged, F::EnergyImbalance, F::LostInRounding].contains(&flag.kind)
 }
 
 /// Results of the answer's case in `fineness` times as many steps of `integrator`.
