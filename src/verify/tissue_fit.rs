@@ -16,7 +16,7 @@
 
 use crate::answer::brief::single;
 use crate::answer::uncertain::{WITH_CURVES, inputs};
-use crate::injury::{Injury, PerInjury, SPEEDS};
+use crate::injury::{BBS, Injury, PerInjury};
 use crate::normal;
 use crate::run::{ordered, watch::unwatched};
 use crate::scenario::{
@@ -196,8 +196,8 @@ pub struct TissueFits {
     pub injuries: Vec<TissueFit>,
     /// How they go with inputs of the model.
     pub with_inputs: Vec<WithInput>,
-    /// What the tissues feel of the BBs of [`SPEEDS`], SI.
-    pub bb: PerInjury<[f64; SPEEDS.len()]>,
+    /// What the tissues feel of each of [`BBS`], SI.
+    pub bb: [PerInjury<f64>; BBS.len()],
 }
 
 /// What all tissues feel; none where a run was refused.
@@ -338,7 +338,7 @@ fn found(runs: &Runs) -> TissueFits {
     TissueFits {
         injuries: MATCHES.iter().map(|of| of.fit(runs)).collect(),
         with_inputs: paths.filter_map(|path| with_input(path, runs)).collect(),
-        bb: std::array::from_fn(|i| SPEEDS.map(|speed| bb(Injury::ALL[i], speed))),
+        bb: BBS.map(|(speed, _)| std::array::from_fn(|i| bb(Injury::ALL[i], speed))),
     }
 }
 
