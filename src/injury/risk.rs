@@ -127,18 +127,13 @@ impl Injury {
 
     /// The risk if curves lie `off` standard deviations from where they are believed to lie, with
     /// what else is not known: of the measure and of the energy, as [`Known`] has it.
-    fn risk_if(self, blow: &Blow, measure: f64, off: f64, inputs: (f64, f64)) -> f64 {
+    pub(crate) fn risk_if(self, blow: &Blow, measure: f64, off: f64, inputs: (f64, f64)) -> f64 {
         let curve = self.curve();
         let bone = blow.round_rim * ROUND_RIM[self as usize];
         let way = off * hypot(hypot(self.known_for(blow), inputs.0), bone);
         let tissue = normal::below((log10(measure / curve.half) + way) / curve.eyes);
         let energy = off * hypot(curve.energy_known, inputs.1);
         self.blended(blow, pow(10.0, energy), tissue)
-    }
-
-    /// The risk, 0 to 1, of one eye among many whose curve lies `off` standard deviations away.
-    pub(crate) fn risk_of_draw(self, blow: &Blow, measure: f64, off: f64) -> f64 {
-        self.risk_if(blow, measure, off, (0.0, 0.0))
     }
 
     /// All that is believed of it after a blow.
@@ -208,15 +203,12 @@ mod tests {
         for name in ["bb-56", "squash-ball"] {
             let blow = Blow::of(&preset(name, &[]));
             for injury in Injury::ALL {
-                let mut more = known(0.7 * injury.curve().half);
-                let mut before = injury.assess(&blow, more).range;
-                for _ in 0..4 {
-                    (more.error, more.inputs) = (more.error + 0.1, more.inputs + 0.1);
-                    more.energy_inputs += 0.05;
-                    let now = injury.assess(&blow, more).range;
-                    assert!(now.0 <= before.0 && before.1 <= now.1);
-                    before = now;
-                }
+                let ranges = [0.0, 0.1, 0.2, 0.3, 0.4].map(|more| {
+                    let (error, inputs, energy_inputs) = (0.1 + more, more, 0.5 * more);
+                    let known = known(0.7 * injury.curve().half);
+                    injury.assess(&blow, Known { error, inputs, energy_inputs, ..known }).range
+                });
+                assert!(ranges.is_sorted_by(|a, b| b.0 <= a.0 && a.1 <= b.1), "{ranges:?}");
             }
         }
     }

@@ -114,7 +114,7 @@ fn put_curves(answer: &mut BriefAnswer, blow: &Blow, off: f64, moved: &PerInjury
             && answer.values[result].is_some_and(|risk| risk > 0.0)
         {
             let value = value / measure.row().factor * libm::pow(10.0, -moved[*injury as usize]);
-            let drawn = injury.risk_of_draw(blow, value, off);
+            let drawn = injury.risk_if(blow, value, off, (0.0, 0.0));
             answer.values[result] = Some(drawn * result.row().factor);
         }
     }

@@ -58,10 +58,8 @@ pub enum Spot {
 impl Spot {
     /// A result in its unit, if there is one.
     pub fn value(&self, quantity: Quantity) -> Option<f64> {
-        match self {
-            Self::Known(results) | Self::Folded(results) => results[quantity],
-            Self::Refused => None,
-        }
+        let (Self::Known(results) | Self::Folded(results)) = self else { return None };
+        results[quantity]
     }
 
     /// Whether the mesh folded.
@@ -95,11 +93,6 @@ impl Grid {
         Self { side, spots: vec![None; side * side] }
     }
 
-    /// Points a side.
-    pub fn side(&self) -> usize {
-        self.side
-    }
-
     /// The state of a point; none until it was simulated.
     pub fn at(&self, (x, y): (usize, usize)) -> Option<&Spot> {
         self.spots[y * self.side + x].as_ref()
@@ -112,8 +105,7 @@ impl Grid {
 
     /// Points that are known, and all.
     pub fn known(&self) -> (usize, usize) {
-        let known = self.spots.iter().filter(|spot| spot.is_some());
-        (known.count(), self.spots.len())
+        (self.spots.iter().flatten().count(), self.spots.len())
     }
 
     /// The points, from coarse to fine.
@@ -127,8 +119,7 @@ impl Grid {
 
     /// The largest of a result over all points, in its unit; none where no point has it.
     pub fn largest(&self, quantity: Quantity) -> Option<f64> {
-        let values = self.spots.iter().flatten();
-        values.filter_map(|spot| spot.value(quantity)).reduce(f64::max)
+        self.spots.iter().flatten().filter_map(|spot| spot.value(quantity)).reduce(f64::max)
     }
 
     /// A result at a place, both from 0 to 1; nothing where too little is known to say anything.
@@ -168,31 +159,6 @@ impl Grid {
     }
 }
 
-/// The scenario at a point of a grid of `side` points a side.
-pub fn scenario_at(
-    scenario: &Scenario,
-    (x, y): (Span, Span),
-    (i, j): (usize, usize),
-    side: usize,
-) -> Scenario {
-    let mut changed = scenario.clone();
-    for (span, at) in [(x, i), (y, j)] {
-        let value = spaced(span.from, span.to, side)[at];
-        set::put_number(&mut changed, span.field, value);
-    }
-    changed
-}
-
-fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
-    let checked = scenario.check().map_err(Refusal::from);
-    let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
-    Some(match unstopped(run)? {
-        Ok(point) if point.folded() => Spot::Folded(point.values),
-        Ok(point) => Spot::Known(point.values),
-        Err(_) => Spot::Refused,
-    })
-}
-
 /// Called with the grid so far after each point, on any thread; `Break` stops the rest.
 pub type OnPoint<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
 
@@ -207,7 +173,21 @@ pub fn fill(
     let mut lacking = grid.order();
     lacking.retain(|at| grid.at(*at).is_none());
     let side = grid.side;
-    let job = |index: usize| spot(&scenario_at(scenario, spans, lacking[index], side), stop);
+    let job = |index: usize| {
+        let (i, j) = lacking[index];
+        let mut scenario = scenario.clone();
+        for (span, at) in [(spans.0, i), (spans.1, j)] {
+            let value = spaced(span.from, span.to, side)[at];
+            set::put_number(&mut scenario, span.field, value);
+        }
+        let checked = scenario.check().map_err(Refusal::from);
+        let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
+        Some(match unstopped(run)? {
+            Ok(point) if point.folded() => Spot::Folded(point.values),
+            Ok(point) => Spot::Known(point.values),
+            Err(_) => Spot::Refused,
+        })
+    };
     ordered::run((0, lacking.len()), stop, job, |index, spot| {
         grid.put(lacking[index], spot);
         on_point(&grid)
@@ -220,6 +200,7 @@ mod tests {
     use super::*;
     use crate::run::watch::stop_if;
     use crate::scenario::fields::find;
+    use std::collections::BTreeSet;
 
     fn spans() -> (Span, Span) {
         let span = |path, from, to| Span { field: find(path).unwrap(), from, to };
@@ -239,13 +220,11 @@ mod tests {
         let part = fill(&scenario, spans(), Grid::new(5), &AtomicBool::new(false), &coarse);
         assert_eq!(part.known(), (9, 25));
         let proceed = |_: &Grid| ControlFlow::Continue(());
-        let fresh = || AtomicBool::new(false);
-        let whole = fill(&scenario, spans(), part.clone(), &fresh(), &proceed);
-        assert_eq!(whole, fill(&scenario, spans(), Grid::new(5), &fresh(), &proceed));
+        let filled = |grid| fill(&scenario, spans(), grid, &AtomicBool::new(false), &proceed);
+        let whole = filled(part.clone());
+        assert_eq!(whole, filled(Grid::new(5)));
         assert_eq!(whole.known(), (25, 25));
-        for at in part.order().into_iter().take(9) {
-            assert_eq!(part.at(at), whole.at(at));
-        }
+        assert!(part.order()[..9].iter().all(|at| part.at(*at) == whole.at(*at)));
         assert_eq!(whole.at((0, 4)), Some(&Spot::Refused), "60 deg lies behind bone");
         for of in [Quantity::Damage, Quantity::ForceFront] {
             let value = |x| whole.at((x, 0)).unwrap().value(of).unwrap();
@@ -263,10 +242,8 @@ mod tests {
     fn the_order_has_every_point_once_and_the_coarsest_first() {
         let grid = Grid::new(SIDE);
         let order = grid.order();
-        let mut sorted = order.clone();
-        sorted.sort_unstable();
-        sorted.dedup();
-        assert_eq!((sorted.len(), order.len()), (SIDE * SIDE, SIDE * SIDE));
+        let points: BTreeSet<_> = order.iter().collect();
+        assert_eq!((points.len(), order.len()), (SIDE * SIDE, SIDE * SIDE));
         assert!(order[..25].iter().all(|(x, y)| x % 8 == 0 && y % 8 == 0));
     }
 }
