@@ -13,11 +13,9 @@ use clap::error::{ContextKind, ContextValue};
 use crate::cli::CliError;
 use crate::many::threshold::usual;
 use crate::plain_text::{self, printable, quoted};
-use crate::scenario::locate::locate;
-use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::{full_path, model_first, set};
-use crate::scenario::{CheckedScenario, Impact, Scenario};
-use crate::scenario::{Integrator, fields::LONGEST_NAME, library::resolve, load::read_text};
+use crate::scenario::{CheckedScenario, Impact, Integrator, Scenario, fields::LONGEST_NAME};
+use crate::scenario::{library::resolve, load::read_text, locate::locate, problem::Problem};
+use crate::scenario::{problem::ScenarioError, set::full_path, set::model_first, set::set};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]

@@ -5,10 +5,8 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use crate::answer::compiled::Compiled;
-use crate::answer::solve::{Answer, solve};
-use crate::cli::progress::Progress;
-use crate::cli::{CliError, ExportArgs, interrupt};
+use crate::answer::{compiled::Compiled, solve::Answer, solve::solve};
+use crate::cli::{CliError, ExportArgs, interrupt, progress::Progress};
 use crate::plain_text::printable_path;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{export::FrameWriter, ordered::until, refusal::Refusal, trace::write_traces};

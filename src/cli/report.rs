@@ -2,11 +2,9 @@
 
 use std::io::Write;
 
-use crate::cli::compare::answered;
-use crate::cli::{CliError, ReportArgs};
+use crate::cli::{CliError, ReportArgs, compare::answered};
 use crate::plain_text::{printable, printable_path, quoted};
-use crate::report::command::line;
-use crate::report::page::{PageFormat, keep, write};
+use crate::report::{command::line, page::PageFormat, page::keep, page::write};
 use crate::whole_file;
 
 /// Simulates every blow and writes the page, in the place of whatever the file held.

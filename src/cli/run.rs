@@ -5,13 +5,11 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use crate::answer::{choose, complete::complete, solve::solve};
-use crate::cli::progress::Progress;
-use crate::cli::{CliError, RunArgs};
+use crate::cli::{CliError, RunArgs, progress::Progress};
 use crate::plain_text::write_json;
 use crate::report::{first_page, json, text};
 use crate::run::{kept::Keep, refusal::Refusal};
-use crate::scenario::set::full_path;
-use crate::scenario::{EyeInput, Scenario};
+use crate::scenario::{EyeInput, Scenario, set::full_path};
 
 /// A simulation after which what takes many of them is announced, where no progress is seen.
 const LONG: Duration = Duration::from_secs(3);

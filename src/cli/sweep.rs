@@ -9,8 +9,7 @@ use std::fs::{File, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use crate::cli::{CliError, SweepArgs, arguments::complaints};
-use crate::cli::{interrupt, progress::shown};
+use crate::cli::{CliError, SweepArgs, arguments::complaints, interrupt, progress::shown};
 use crate::many::sweep::Sweep;
 use crate::plain_text::{printable_path, quoted};
 use crate::report::sweep::SweepFormat;

@@ -9,10 +9,9 @@ use serde_json::Value;
 use crate::cli::{CliError, example, progress::shown};
 use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
 use crate::run::threads;
-use crate::verify::claims::{FINEST_CHECKED, Study, check};
-use crate::verify::hard_cases::{self, CaseVerdict};
-use crate::verify::scenes::{MAX_SCENES, Scenes};
-use crate::verify::{fit::fit, measured_orbit::InOrbit, rerun::rerun_all, tissue_fit::fit_tissues};
+use crate::verify::{claims::FINEST_CHECKED, claims::Study, claims::check, fit::fit, hard_cases};
+use crate::verify::{hard_cases::CaseVerdict, measured_orbit::InOrbit, rerun::rerun_all};
+use crate::verify::{scenes::MAX_SCENES, scenes::Scenes, tissue_fit::fit_tissues};
 
 #[derive(Debug, Args)]
 pub struct VerifyArgs {

@@ -6,8 +6,7 @@
 //! Their weight falls linearly to nothing up to 16 mm, 20 degrees from straight on, and between
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
-use crate::scenario::direction::GLOBE_MM;
-use crate::scenario::{Geometry, Scenario, Species, Support, Surface};
+use crate::scenario::{Geometry, Scenario, Species, Support, Surface, direction::GLOBE_MM};
 use std::f64::consts::FRAC_PI_4;
 
 /// Diameters up to which objects were tested, and from which they count as unlike, in mm.

@@ -14,9 +14,8 @@
 //!
 //! Left out: that injuries hang together, but for what the words say of a burst globe.
 
-use crate::injury::equivalent::{Equivalent, equivalent};
-use crate::injury::kind::{Injury, PerInjury};
-use crate::injury::{blow::Blow, energy::EnergyCurve};
+use crate::injury::{blow::Blow, energy::EnergyCurve, equivalent::Equivalent};
+use crate::injury::{equivalent::equivalent, kind::Injury, kind::PerInjury};
 use crate::normal;
 use libm::{exp, hypot, log, log10, pow};
 
@@ -92,16 +91,6 @@ fn logit(risk: f64) -> f64 {
     log(risk / (1.0 - risk))
 }
 
-/// The mean of two risks in their logits, with the weight of the first.
-fn blend(weight: f64, first: f64, second: f64) -> f64 {
-    // As they are, where logits would cut them off.
-    if weight >= 1.0 {
-        return first;
-    }
-    let mean = weight * logit(first) + (1.0 - weight) * logit(second);
-    1.0 / (1.0 + exp(-mean))
-}
-
 impl Injury {
     /// How far its curve is known for this blow: a standard deviation of log10 of the measure.
     fn known_for(self, blow: &Blow) -> f64 {
@@ -110,11 +99,18 @@ impl Injury {
         self.curve().known + UNTESTED * (blow.wider + aslant)
     }
 
-    /// `tissue` blended with the published curves, where they count, at `factor` times the energy.
+    /// The mean, in logits, of `tissue` and the published curves at `factor` times the energy, where
+    /// they count.
     fn blended(self, blow: &Blow, factor: f64, tissue: f64) -> f64 {
         let energy = blow.energy.filter(|_| blow.tested > 0.0);
         let published = energy.and_then(|energy| EnergyCurve::counted(self, energy * factor));
-        published.map_or(tissue, |published| blend(blow.tested, published, tissue))
+        let Some(published) = published else { return tissue };
+        // As it is, where its logit would cut it off.
+        if blow.tested >= 1.0 {
+            return published;
+        }
+        let mean = blow.tested * logit(published) + (1.0 - blow.tested) * logit(tissue);
+        1.0 / (1.0 + exp(-mean))
     }
 
     /// The risk of a blow that the tissue felt as `measure` (SI), 0 to 1.

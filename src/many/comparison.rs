@@ -9,11 +9,9 @@ use std::cmp::Ordering;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, PoisonError};
 
-use crate::answer::complete::complete;
-use crate::answer::solve::{Answer, solve};
-use crate::run::ordered::{self, until};
-use crate::run::refusal::{Refusal, unstopped};
-use crate::run::{kept::Keep, quantity::Quantity};
+use crate::answer::{complete::complete, solve::Answer, solve::solve};
+use crate::run::refusal::unstopped;
+use crate::run::{kept::Keep, ordered, ordered::until, quantity::Quantity, refusal::Refusal};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// The share of the progress of an answer that stands for its first run.

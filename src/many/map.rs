@@ -9,11 +9,10 @@
 
 use crate::answer::{brief::single, results::Results};
 use crate::many::sweep::spaced;
-use crate::run::ordered::{self, until};
-use crate::run::quantity::Quantity;
-use crate::run::refusal::{Refusal, unstopped};
-use crate::scenario::fields::Field;
-use crate::scenario::{Scenario, set};
+use crate::run::{
+    ordered, ordered::until, quantity::Quantity, refusal::Refusal, refusal::unstopped,
+};
+use crate::scenario::{Scenario, fields::Field, set};
 use std::cmp::Reverse;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;

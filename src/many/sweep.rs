@@ -7,12 +7,9 @@
 //! Left out: axes that move together. A row sets one value of each axis, in the order of the axes.
 
 use crate::answer::brief::{BriefAnswer, checked};
-use crate::run::refusal::{Refusal, unstopped};
-use crate::run::{quantity::Quantity, watch::Watch};
-use crate::scenario::load::to_ron;
-use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::{full_path, model_first, set};
-use crate::scenario::{CheckedScenario, Scenario, fields};
+use crate::run::{quantity::Quantity, refusal::Refusal, refusal::unstopped, watch::Watch};
+use crate::scenario::{CheckedScenario, Scenario, fields, load::to_ron, problem::Problem};
+use crate::scenario::{problem::ScenarioError, set::full_path, set::model_first, set::set};
 
 /// Most rows of a grid.
 pub const MAX_ROWS: usize = 10_000_000;

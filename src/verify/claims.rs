@@ -5,9 +5,10 @@
 //! an object that goes through the eye. The finest mesh, with which mesh errors and tolerances are
 //! compared, is not the limit itself: it may be off by what fine levels scatter by.
 
-use crate::answer::choose::{Ladder, within_by};
-use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
-use crate::answer::{results::Results, solve::solve};
+use crate::answer::{
+    choose::Ladder, choose::within_by, mesh_error::MeshError, mesh_error::at_level,
+};
+use crate::answer::{mesh_error::OnMesh, mesh_error::witnesses, results::Results, solve::solve};
 use crate::many::statistics::median;
 use crate::run::watch::unwatched;
 use crate::run::{flags::FlagKind, kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal};

@@ -13,10 +13,8 @@
 //! twice as thick, and bursting with the limit of its own species (1.64 against 0.91 `MPa`).
 
 use crate::run::quantity::Quantity;
-use crate::scenario::{
-    Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness, Scenario, Species,
-    Support, Surface,
-};
+use crate::scenario::{Impact, Model, Outline, Physiological, Projectile, ProjectileStiffness};
+use crate::scenario::{Scenario, Species, Support, Surface};
 
 /// The figure of a run that is compared with a measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]

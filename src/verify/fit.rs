@@ -51,18 +51,10 @@ pub struct Fit {
 impl Tried {
     /// Runs the fitted experiments with a bulk modulus of fat, in `MPa`.
     pub fn run(mpa: f64) -> Self {
-        Self::of(mpa, rerun(fitted(), |scenario| with_fat(scenario, mpa)))
-    }
-
-    /// How well a modulus fits that gave these rows.
-    pub fn of(mpa: f64, rows: Vec<Rerun>) -> Self {
+        let rows = rerun(fitted(), |scenario| with_fat(scenario, mpa));
         let misfit = |row: &Rerun| {
             let measured = row.experiment.measured;
-            // What cannot be run does not fit.
-            let of = |value: &Result<f64, _>| {
-                value.as_ref().map_or(f64::INFINITY, |v| squared_misfit(measured, *v))
-            };
-            row.predicted.iter().map(of).sum::<f64>()
+            row.predicted.iter().map(|value| misfit_of(measured, value)).sum::<f64>()
         };
         let inside = rows.iter().flat_map(Rerun::inside).filter(|inside| *inside);
         Self { mpa, misfit: rows.iter().map(misfit).sum(), inside: inside.count(), rows }
@@ -90,9 +82,10 @@ pub fn fit(progress: impl Fn(f64)) -> Fit {
     Fit { best: best.clone(), nearly, tried }
 }
 
-/// Squared distance of `value` from what was measured, in standard deviations. Where a source
-/// gives none, a factor of 1.3 counts as one.
-pub(crate) fn squared_misfit(measured: MeasuredBand, value: f64) -> f64 {
+/// Squared distance of a figure from what was measured, in standard deviations. Where a source
+/// gives none, a factor of 1.3 counts as one; what cannot be run does not fit.
+pub(crate) fn misfit_of(measured: MeasuredBand, value: &Result<f64, String>) -> f64 {
+    let &Ok(value) = value else { return f64::INFINITY };
     let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
     let (low, high) = measured.limits();
     let z = match measured {

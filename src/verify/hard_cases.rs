@@ -5,15 +5,12 @@
 //! their difference from the answer is its true error; where they do not, nobody can tell, and an
 //! answer without a flag that says so is wrong.
 
-use crate::answer::solve::{Answer, solve_case};
-use crate::answer::{compiled::Compiled, results::Results};
-use crate::models::paper::case::PaperCase;
-use crate::models::pulse::Piece;
+use crate::answer::{compiled::Compiled, results::Results, solve::Answer, solve::solve_case};
+use crate::models::{paper::case::PaperCase, pulse::Piece};
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::{kept::Keep, model::EyeModel, plan::Plan, refusal::Refusal, watch::unwatched};
-use crate::scenario::{
-    CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape, Scenario,
-};
+use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -222,13 +219,14 @@ impl HardCase {
             Err(refusal) => return self.outcome(CaseVerdict::Refused, None, refusal.to_string()),
         };
         let [first, second] = self.references;
-        match rayon::join(|| reference(&answer, first), || reference(&answer, second)) {
-            (Ok(first), Ok(second)) => self.judge(&answer, &first, &second),
-            (Err(refusal), _) | (_, Err(refusal)) => {
+        let (first, second) =
+            rayon::join(|| reference(&answer, first), || reference(&answer, second));
+        first.and_then(|first| Ok(self.judge(&answer, &first, &second?))).unwrap_or_else(
+            |refusal| {
                 let note = format!("a reference failed: {refusal}");
                 self.outcome(CaseVerdict::Wrong, Some(&answer), note)
-            }
-        }
+            },
+        )
     }
 
     fn outcome(&self, verdict: CaseVerdict, answer: Option<&Answer>, note: String) -> CaseOutcome {

@@ -9,9 +9,8 @@
 use crate::answer::compiled::Compiled;
 use crate::run::{kept::Keep, refusal::Refusal, watch::unwatched};
 use crate::scenario::{Geometry, Model, Physiological, Support};
-use crate::verify::experiments::{EXPERIMENTS, Experiment};
-use crate::verify::fit::squared_misfit;
-use crate::verify::rerun::{fitted, read_run, with_fat};
+use crate::verify::{experiments::EXPERIMENTS, experiments::Experiment, fit::misfit_of};
+use crate::verify::{rerun::fitted, rerun::read_run, rerun::with_fat};
 use rayon::prelude::*;
 
 /// The bulk moduli of fat that are tried, in `MPa`.
@@ -50,10 +49,7 @@ impl InOrbit {
     /// The sum of squared misfits of each of [`FATS_MPA`], as the fit has it.
     pub fn misfits(&self) -> [f64; FATS_MPA.len()] {
         std::array::from_fn(|i| {
-            let of = |(experiment, values): &Row<_>| match values[i] {
-                Ok(value) => squared_misfit(experiment.measured, value),
-                Err(_) => f64::INFINITY,
-            };
+            let of = |(experiment, values): &Row<_>| misfit_of(experiment.measured, &values[i]);
             self.fitted.iter().map(of).sum()
         })
     }

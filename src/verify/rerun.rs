@@ -3,8 +3,7 @@
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
-use crate::answer::compiled::Compiled;
-use crate::answer::solve::{Answer, solve};
+use crate::answer::{compiled::Compiled, solve::Answer, solve::solve};
 use crate::run::{flags::FlagKind, kept::Keep, model::Run, refusal::Refusal, watch::unwatched};
 use crate::scenario::{Model, Physiological, Scenario};
 use crate::verify::experiments::{EXPERIMENTS, Experiment, Gauge};

@@ -2,10 +2,9 @@
 //!
 //! A scene is drawn from a scrambled Sobol sequence, so a seed names it for good.
 
-use crate::scenario::{
-    EyeInput, ForcePulse, Geometry, Impact, Model, NumericsInput, Outline, Physiological,
-    Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support, Surface,
-};
+use crate::scenario::{EyeInput, ForcePulse, Geometry, Impact, Model, NumericsInput, Outline};
+use crate::scenario::{Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario};
+use crate::scenario::{Species, Support, Surface};
 use std::f64::consts::PI;
 
 /// Most scenes that the sequence has for one seed.

@@ -14,15 +14,12 @@
 //!
 //! Left out: the mesh, whose error every answer states for itself: all is of level 1.
 
-use crate::answer::brief::single;
-use crate::answer::uncertain::{WITH_CURVES, inputs};
+use crate::answer::{brief::single, uncertain::WITH_CURVES, uncertain::inputs};
 use crate::injury::{BBS, Injury, PerInjury};
 use crate::normal;
 use crate::run::{ordered, watch::unwatched};
-use crate::scenario::{
-    Impact, Model, Outline, Physiological, Projectile, Scenario, Species, Support, Surface,
-};
-use crate::scenario::{fields::find, set::put_number};
+use crate::scenario::{Impact, Model, Outline, Physiological, Projectile, Scenario, Species};
+use crate::scenario::{Support, Surface, fields::find, set::put_number};
 use std::cell::RefCell;
 use std::f64::consts::FRAC_PI_4;
 use std::sync::atomic::AtomicBool;

@@ -23,16 +23,13 @@ use std::sync::atomic::AtomicBool;
 pub use crossing::{Crossing, RiskThere};
 pub use question::{meant, usual, wanted};
 
-use crate::answer::solve::{Answer, solve};
-use crate::answer::{brief::single, results::Results};
+use crate::answer::{brief::single, results::Results, solve::Answer, solve::solve};
 use crate::many::{root::Bracket, sweep::spaced};
-use crate::run::ordered::{self, until};
-use crate::run::refusal::{Refusal, unstopped};
-use crate::run::{kept::Keep, quantity::Quantity};
-use crate::scenario::doubt::number;
-use crate::scenario::fields::{Bounds, Field};
-use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain};
-use crate::scenario::{CheckedScenario, Scenario, set::set};
+use crate::run::refusal::unstopped;
+use crate::run::{kept::Keep, ordered, ordered::until, quantity::Quantity, refusal::Refusal};
+use crate::scenario::{CheckedScenario, Scenario, doubt::number, fields::Bounds, fields::Field};
+use crate::scenario::{problem::Problem, problem::five_nearest, problem::plain};
+use crate::scenario::{problem::ScenarioError, set::set};
 
 /// Intervals of the grid, at least, and the largest ratio of neighbours on it.
 const INTERVALS: usize = 24;

@@ -1,10 +1,11 @@
 //! What is asked of a search: the field that it varies, and the result and value that it looks for.
 
 use crate::run::{flags::PRESSED_FLAT, quantity::Quantity};
-use crate::scenario::fields::{Bounds, Field, Kind};
-use crate::scenario::problem::{Problem, ScenarioError, suggestion};
-use crate::scenario::set::{full_path, set};
-use crate::scenario::{Impact, Model, Scenario, fields};
+use crate::scenario::{
+    Impact, Model, Scenario, fields, fields::Bounds, fields::Field, fields::Kind,
+};
+use crate::scenario::{problem::Problem, problem::ScenarioError, problem::suggestion};
+use crate::scenario::{set::full_path, set::set};
 
 /// The field of a path and its bounds, where it holds a number.
 pub(super) fn bounds(
