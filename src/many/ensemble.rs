@@ -18,7 +18,7 @@
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
 use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
-use crate::injury::{Blow, Injury, PerInjury};
+use crate::injury::{Blow, Injury};
 use crate::many::statistics::median;
 use crate::run::{ordered, ordered::until, refusal::Refusal, refusal::unstopped, threads};
 use crate::scenario::{CheckedScenario, Scenario};
@@ -82,42 +82,6 @@ pub struct Ensemble {
     pub timing: Timing,
 }
 
-/// The scenario with sample number `index` in place of its nominal values.
-fn drawn(
-    scenario: &Scenario,
-    inputs: &[UncertainInput],
-    index: u32,
-    seed: u32,
-) -> (Scenario, Vec<f64>) {
-    let mut changed = scenario.clone();
-    changed.doubt.clear();
-    let draw = |(dimension, input): (u32, &UncertainInput)| {
-        // The sequence has 23 bits; the middle of its cell is never 0 or 1.
-        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 8_388_608.0;
-        let value = input.value(u);
-        input.put(&mut changed, value);
-        value
-    };
-    let values = (0..).zip(inputs).map(draw).collect();
-    (changed, values)
-}
-
-/// Reads the risks of a sample again as if the curves lay `off` standard deviations away, and as
-/// matched with the eye that was drawn: `moved` says how far log10 of each measure then moves.
-fn put_curves(answer: &mut BriefAnswer, blow: &Blow, off: f64, moved: &PerInjury<f64>) {
-    for injury in Injury::ALL {
-        let (measure, result) = (injury.measure(), injury.result());
-        // Of an eye that was missed it is 0 and stays so.
-        if let Some(value) = answer.values[measure]
-            && answer.values[result].is_some_and(|risk| risk > 0.0)
-        {
-            let value = value / measure.row().factor * libm::pow(10.0, -moved[*injury as usize]);
-            let drawn = injury.risk_if(blow, value, off, (0.0, 0.0));
-            answer.values[result] = Some(drawn * result.row().factor);
-        }
-    }
-}
-
 /// What a refusal is counted under.
 fn name(refusal: &Refusal) -> String {
     match refusal {
@@ -133,6 +97,9 @@ fn name(refusal: &Refusal) -> String {
     .to_owned()
 }
 
+/// Called with the ensemble so far after each sample, on any thread; `Break` stops the rest.
+pub type OnSample<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
+
 /// What every sample needs.
 struct Job<'a> {
     scenario: &'a CheckedScenario,
@@ -143,9 +110,43 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
+    /// The scenario with sample number `index` in place of its nominal values.
+    fn drawn(&self, index: u32) -> (Scenario, Vec<f64>) {
+        let mut changed = Scenario::clone(self.scenario);
+        changed.doubt.clear();
+        let draw = |(dimension, input): (u32, &UncertainInput)| {
+            // The sequence has 23 bits; the middle of its cell is never 0 or 1.
+            let u =
+                f64::from(sobol_burley::sample(index, dimension, self.seed)) + 0.5 / 8_388_608.0;
+            let value = input.value(u);
+            input.put(&mut changed, value);
+            value
+        };
+        let values = (0..).zip(self.inputs).map(draw).collect();
+        (changed, values)
+    }
+
+    /// Reads the risks of a sample again as if the curves lay `off` standard deviations away, and as
+    /// matched with the eye that was drawn.
+    fn put_curves(&self, answer: &mut BriefAnswer, blow: &Blow, off: f64, drawn: &[f64]) {
+        for injury in Injury::ALL {
+            let (measure, result) = (injury.measure(), injury.result());
+            // Of an eye that was missed it is 0 and stays so.
+            if let Some(value) = answer.values[measure]
+                && answer.values[result].is_some_and(|risk| risk > 0.0)
+            {
+                let each = self.inputs.iter().zip(drawn).map(|(input, v)| input.moves_curves(*v));
+                let moved = each.fold(0.0, |sum, one| sum + one[*injury as usize]);
+                let value = value / measure.row().factor * libm::pow(10.0, -moved);
+                let drawn = injury.risk_if(blow, value, off, (0.0, 0.0));
+                answer.values[result] = Some(drawn * result.row().factor);
+            }
+        }
+    }
+
     /// Sample number `index`; nothing if it was stopped.
     fn run(&self, index: u32) -> Option<Sample> {
-        let (mut scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
+        let (mut scenario, drawn) = self.drawn(index);
         let checked = match scenario.check() {
             Ok(checked) => checked,
             Err(error) => {
@@ -165,21 +166,12 @@ impl Job<'_> {
         }
         let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
         if let (Ok(answer), Some(place)) = (&mut outcome, curves) {
-            let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
-            let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
-                std::array::from_fn(|i| sum[i] + one[i])
-            });
-            put_curves(answer, &Blow::of(&scenario), drawn[place], &moved);
+            self.put_curves(answer, &Blow::of(&scenario), drawn[place], &drawn);
         }
         let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal));
         Some(Sample { drawn, outcome })
     }
-}
 
-/// Called with the ensemble so far after each sample, on any thread; `Break` stops the rest.
-pub type OnSample<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
-
-impl Job<'_> {
     /// Adds the samples up to `to`; gives what single runs of the scenario took meanwhile, in s.
     fn gather(&self, to: u32, on_sample: OnSample, into: &mut Ensemble) -> Vec<f64> {
         let from = into.samples.len();
@@ -372,12 +364,12 @@ mod tests {
 
     #[test]
     fn drawn_scenes_keep_the_rest_and_every_input_moves() {
-        let scenario = quick();
-        let inputs = inputs(&scenario);
-        let (one, drawn_one) = drawn(&scenario, &inputs, 0, 1);
-        let (_, drawn_two) = drawn(&scenario, &inputs, 1, 1);
+        let (scenario, inputs) = (quick().check().unwrap(), inputs(&quick()));
+        let stop = &AtomicBool::new(false);
+        let job = Job { scenario: &scenario, inputs: &inputs, seed: 1, cap: f64::INFINITY, stop };
+        let (one, drawn) = job.drawn(0);
         assert_eq!(one.window_ms, scenario.window_ms);
-        assert!(drawn_one.iter().zip(&drawn_two).all(|(a, b)| a != b));
+        assert!(drawn.iter().zip(job.drawn(1).1).all(|(a, b)| *a != b));
     }
 
     #[test]
