@@ -57,7 +57,6 @@ pub struct Changes {
     pub step_us: Option<String>,
 }
 
-/// What `--integrator` may be, a line for each.
 fn integrators() -> String {
     let mut text = "Integrator; short for `--set numerics.integrator=NAME`\n".to_owned();
     for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {

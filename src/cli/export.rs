@@ -13,9 +13,7 @@ use crate::run::{export::FrameWriter, ordered::until, refusal::Refusal, trace::w
 use crate::scenario::CheckedScenario;
 use crate::whole_file;
 
-/// Time between two frames unless asked otherwise, in us.
 const FRAMES_EVERY_US: f64 = 10.0;
-/// What an interruption leaves.
 const UNWRITTEN: &str = "nothing was written";
 /// More node positions than this would be a file of more than 5 GB.
 const MAX_POSITIONS: f64 = 5e7;

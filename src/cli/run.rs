@@ -37,14 +37,11 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     };
     if !args.quick {
         if began.elapsed() > LONG {
-            progress.announce(
-                "finer meshes and inputs follow, 10 to 50 times as long; --quick leaves them out",
-            );
+            let what = "finer meshes and inputs follow, 10 to 50 times as long";
+            progress.announce(&format!("{what}; --quick leaves them out"));
         }
-        let stop = AtomicBool::new(false);
-        complete(&scenario, &mut answer, &stop, |share| {
-            progress.show("meshes and inputs (--quick leaves them out)", share);
-        })?;
+        let (what, stop) = ("meshes and inputs (--quick leaves them out)", AtomicBool::new(false));
+        complete(&scenario, &mut answer, &stop, |share| progress.show(what, share))?;
     }
     progress.clear();
     if args.json {
@@ -71,14 +68,12 @@ fn numerics_set<'a>(args: &'a RunArgs, scenario: &Scenario) -> Option<&'a str> {
 
 /// A refusal with the place in the file that asked for it.
 fn placed(args: &RunArgs, refusal: Refusal) -> CliError {
-    let place = match refusal {
-        Refusal::StepAboveLimit { .. } | Refusal::StepTooShort { .. } => {
-            args.scenario.place_of("numerics.step_us")
-        }
-        Refusal::WindowTooLong { .. } => args.scenario.place_of("window_ms"),
-        _ => None,
+    let field = match refusal {
+        Refusal::StepAboveLimit { .. } | Refusal::StepTooShort { .. } => "numerics.step_us",
+        Refusal::WindowTooLong { .. } => "window_ms",
+        _ => return refusal.into(),
     };
-    match place {
+    match args.scenario.place_of(field) {
         Some(place) => CliError::Input(format!("{place}: {refusal}")),
         None => refusal.into(),
     }

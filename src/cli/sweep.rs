@@ -38,7 +38,6 @@ impl Shard {
         }
     }
 
-    /// Its rows of a grid of so many.
     fn rows(self, all: usize) -> Vec<usize> {
         (self.index - 1..all).step_by(self.of).collect()
     }

@@ -108,14 +108,12 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         VerifyCommand::Steps(scenes) => (Study::Steps(Scenes::Pulses), scenes),
         VerifyCommand::Meshes { scenes, level } => (Study::Meshes(Scenes::Pulses, *level), scenes),
         VerifyCommand::Tolerance(scenes) => (Study::Tolerances, scenes),
-        VerifyCommand::Objects { scenes, level } => match level {
-            None => (Study::Steps(Scenes::Objects), scenes),
-            Some(level) => (Study::Meshes(Scenes::Objects, *level), scenes),
-        },
-        VerifyCommand::Sides { scenes, meshes } => match meshes {
-            false => (Study::Steps(Scenes::Sides), scenes),
-            true => (Study::Meshes(Scenes::Sides, 1), scenes),
-        },
+        VerifyCommand::Objects { scenes, level: None } => (Study::Steps(Scenes::Objects), scenes),
+        VerifyCommand::Objects { scenes, level: Some(level) } => {
+            (Study::Meshes(Scenes::Objects, *level), scenes)
+        }
+        VerifyCommand::Sides { scenes, meshes: false } => (Study::Steps(Scenes::Sides), scenes),
+        VerifyCommand::Sides { scenes, meshes: true } => (Study::Meshes(Scenes::Sides, 1), scenes),
         VerifyCommand::HardCases => return run_hard_cases(args, out),
         VerifyCommand::Experiments => {
             let rerun = rayon::join(rerun_all, InOrbit::run);
@@ -160,7 +158,6 @@ fn run_hard_cases(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError
     Err(CliError::Failed(format!("silently wrong: {}", names.join(", "))))
 }
 
-/// Prints what was found in the form that was asked for.
 fn print<T: ?Sized>(
     args: &VerifyArgs,
     found: &T,

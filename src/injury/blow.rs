@@ -49,25 +49,14 @@ fn ramp(value: f64, (from, to): (f64, f64)) -> f64 {
     ((value - from) / (to - from)).clamp(0.0, 1.0)
 }
 
-fn softness(surface: Surface) -> f64 {
-    match surface {
-        Surface::Hard => 0.0,
-        Surface::Elastic { modulus_mpa } => ramp(libm::log10(modulus_mpa), HARDNESS),
-        Surface::Inflated { .. } | Surface::Splashing => 1.0,
-    }
-}
-
-/// How far from straight on a blow is, in degrees: its angle, and where on the globe it lands.
-fn off_axis_deg(scenario: &Scenario) -> f64 {
-    let offset_mm = scenario.projectile().map_or(0.0, |object| object.offset_mm);
-    let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
-    scenario.impact.angle_deg().abs() + beside.to_degrees()
-}
-
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
-        let off_axis = ramp(off_axis_deg(scenario), ANGLE_DEG);
+        // Both its angle and where on the globe it lands.
+        let offset_mm = scenario.projectile().map_or(0.0, |object| object.offset_mm);
+        let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
+        let off_axis = scenario.impact.angle_deg().abs() + beside.to_degrees();
+        let off_axis = ramp(off_axis, ANGLE_DEG);
         let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
         let aslant = if spatial { 0.0 } else { off_axis };
         let Some(object) = scenario.projectile() else {
@@ -77,7 +66,11 @@ impl Blow {
         let (diameter, speed) = (object.diameter_m(), object.speed_m_s);
         let energy = 0.5 * object.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter);
         let wider = ramp(object.diameter_mm, WIDTH_MM);
-        let softness = softness(object.surface);
+        let softness = match object.surface {
+            Surface::Hard => 0.0,
+            Surface::Elastic { modulus_mpa } => ramp(libm::log10(modulus_mpa), HARDNESS),
+            Surface::Inflated { .. } | Surface::Splashing => 1.0,
+        };
         let round = scenario.geometry() == Some(Geometry::Axisymmetric)
             && scenario.physiological().is_some_and(|model| model.support == Support::Orbit);
         let human = scenario.model.species() == Species::Human;

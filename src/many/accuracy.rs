@@ -207,7 +207,6 @@ fn jobs(scenario: &Scenario, cases: &[Compiled], trials: &[Trial]) -> Vec<Job> {
     jobs
 }
 
-/// The plan of an answer.
 fn answer(case: &Compiled) -> Plan {
     let automatic = case.rules().answer;
     case.plan_at(automatic.integrator, automatic.share)
@@ -235,7 +234,6 @@ fn trials(case: &Compiled) -> Vec<Trial> {
 }
 
 impl Accuracy {
-    /// Does one piece of the work.
     fn add(&mut self, job: &Job, cases: &[Compiled], watch: Watch) -> Result<(), Refusal> {
         let case = || &cases[job.level as usize - 1];
         match job.what {

@@ -100,7 +100,6 @@ fn name(refusal: &Refusal) -> String {
 /// Called with the ensemble so far after each sample, on any thread; `Break` stops the rest.
 pub type OnSample<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
 
-/// What every sample needs.
 struct Job<'a> {
     scenario: &'a CheckedScenario,
     inputs: &'a [UncertainInput],
@@ -187,13 +186,12 @@ impl Job<'_> {
             let sample = self.run(index as u32)?;
             Some((sample, began.elapsed().as_secs_f64(), single))
         };
-        let deliver = |_, (sample, took, single): (Sample, f64, Option<f64>)| {
+        ordered::run((from, to as usize), self.stop, job, |_, (sample, took, single)| {
             into.samples.push(sample);
             into.timing.cores += took;
             singles.extend(single);
             on_sample(into)
-        };
-        ordered::run((from, to as usize), self.stop, job, deliver);
+        });
         singles
     }
 }
@@ -272,11 +270,9 @@ mod tests {
     /// The same with all that is published held to be known, but for one input.
     fn sure(but: &str) -> Scenario {
         let mut sure = quick();
-        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
-            if input.field.path != but {
-                sure.doubt.insert(input.field.path.to_owned(), 0.0);
-            }
-        }
+        let published = inputs(&quick()).into_iter().filter(|input| input.source.is_some());
+        let known = published.map(|input| input.field.path).filter(|path| *path != but);
+        sure.doubt.extend(known.map(|path| (path.to_owned(), 0.0)));
         sure
     }
 
@@ -333,10 +329,7 @@ mod tests {
         let soft = ensemble(&fat, 32, 1);
         let apart = |of| soft.outside(of).map(|why| why.map(|input| input.field.path));
         assert_eq!(apart(Quantity::Energy), Some(Some("eye.fat_kpa")));
-        let mut sure = fat;
-        sure.doubt.insert("eye.fat_kpa".to_owned(), 0.0);
-        sure.doubt.insert("impact.force_n".to_owned(), 20.0);
-        let mut forced = ensemble(&sure, 32, 1);
+        let mut forced = ensemble(&sure(""), 32, 1);
         assert!(forced.outside(Quantity::Energy).is_none());
         forced.nominal.as_mut().unwrap()[Quantity::Energy] = Some(1e3);
         let why = forced.outside(Quantity::Energy);

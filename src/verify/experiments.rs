@@ -142,28 +142,28 @@ impl Experiment {
 }
 
 /// An object of so many g, mm and m/s, straight on.
-fn projectile_at(
+pub(super) fn projectile_at(
     name: &str,
     model: Physiological,
     (mass_g, diameter_mm, speed_m_s): (f64, f64, f64),
-    window_ms: f64,
+    window_ms: Option<f64>,
 ) -> Scenario {
     let object = Projectile { mass_g, diameter_mm, speed_m_s, ..Projectile::default() };
     Scenario {
         name: name.to_owned(),
         model: Model::Physiological(model),
         impact: Impact::Projectile(object),
-        window_ms: Some(window_ms),
+        window_ms,
         ..Scenario::default()
     }
 }
 
 fn in_gelatin(name: &str, species: Species, object: (f64, f64, f64)) -> Scenario {
     let model = Physiological { species, support: Support::Gelatin, ..Physiological::default() };
-    projectile_at(name, model, object, 2.0)
+    projectile_at(name, model, object, Some(2.0))
 }
 
-fn flat(mut scenario: Scenario, edge_mm: f64) -> Scenario {
+pub(super) fn flat(mut scenario: Scenario, edge_mm: f64) -> Scenario {
     if let Impact::Projectile(object) = &mut scenario.impact {
         object.outline = Outline::Cylinder { edge_mm };
     }
@@ -173,7 +173,8 @@ fn flat(mut scenario: Scenario, edge_mm: f64) -> Scenario {
 /// Windows of the impactor end just after its way: it would go on to crush the eye.
 fn impactor(speed: f64, window_ms: f64) -> Scenario {
     let model = Physiological { support: Support::Orbit, ..Physiological::default() };
-    flat(projectile_at("blunt impactor", model, (1000.0, 20.0, speed), window_ms), 2.0)
+    let object = (1000.0, 20.0, speed);
+    flat(projectile_at("blunt impactor", model, object, Some(window_ms)), 2.0)
 }
 
 /// The ball of 6.35 mm is steel: 1.05 g.
@@ -209,7 +210,7 @@ fn baseball(speed: f64) -> Scenario {
         gelatin_opening_deg: 61.0,
         ..Physiological::default()
     };
-    let mut scenario = projectile_at("baseball", model, (145.0, 74.0, speed), 6.0);
+    let mut scenario = projectile_at("baseball", model, (145.0, 74.0, speed), Some(6.0));
     if let Impact::Projectile(ball) = &mut scenario.impact {
         ball.stiffness = ProjectileStiffness::Linear { n_per_m: 2.4e5 };
         ball.surface = Surface::Elastic { modulus_mpa: 50.0 };

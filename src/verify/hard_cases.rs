@@ -182,7 +182,6 @@ pub fn cases() -> Vec<HardCase> {
 }
 
 impl HardCase {
-    /// The case compiled, with its start.
     fn compiled(&self) -> Result<PaperCase, Refusal> {
         let mut case = PaperCase::new(&self.scenario.check()?);
         let marks = &case.eye.landmarks;

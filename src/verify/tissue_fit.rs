@@ -18,8 +18,9 @@ use crate::answer::{brief::single, uncertain::WITH_CURVES, uncertain::inputs};
 use crate::injury::{BBS, Injury, PerInjury};
 use crate::normal;
 use crate::run::{ordered, watch::unwatched};
-use crate::scenario::{Impact, Model, Outline, Physiological, Projectile, Scenario, Species};
-use crate::scenario::{Support, Surface, fields::find, set::put_number};
+use crate::scenario::{Impact, Physiological, Scenario, Species, Support, Surface};
+use crate::scenario::{fields::find, set::put_number};
+use crate::verify::experiments::{flat, projectile_at};
 use std::cell::RefCell;
 use std::f64::consts::FRAC_PI_4;
 use std::sync::atomic::AtomicBool;
@@ -72,23 +73,15 @@ const END: f64 = 100e3;
 const AROUND: [f64; 2] = [0.5, 2.0];
 
 impl TestObject {
-    /// This object at a speed, in m/s.
     fn fast(&self, speed_m_s: f64, species: Species, support: Support) -> Scenario {
-        let &Self { mass_g, diameter_mm, .. } = self;
-        let mut projectile = Projectile { mass_g, diameter_mm, speed_m_s, ..Projectile::default() };
-        if self.rod {
-            projectile.outline = Outline::Cylinder { edge_mm: EDGE_MM };
-        }
-        if self.foam {
-            projectile.surface = FOAM;
-        }
         let model = Physiological { species, support, ..Physiological::default() };
-        Scenario {
-            name: self.name.to_owned(),
-            model: Model::Physiological(model),
-            impact: Impact::Projectile(projectile),
-            ..Scenario::default()
+        let object = (self.mass_g, self.diameter_mm, speed_m_s);
+        let ball = projectile_at(self.name, model, object, None);
+        let mut scenario = if self.rod { flat(ball, EDGE_MM) } else { ball };
+        if let (true, Impact::Projectile(object)) = (self.foam, &mut scenario.impact) {
+            object.surface = FOAM;
         }
+        scenario
     }
 
     /// This object with an energy, in J, at an eye in gelatin.
@@ -109,7 +102,6 @@ impl TestObject {
     }
 }
 
-/// What the curve of an injury is matched to.
 struct Match {
     injury: Injury,
     /// Published energies of 50 %, the least first, J/m2.
@@ -242,7 +234,6 @@ fn deviation(of: &[f64]) -> f64 {
 }
 
 impl Match {
-    /// The kinds that it rests on.
     fn kinds(&self) -> impl Iterator<Item = &'static TestObject> {
         let foam = self.injury == Injury::CornealAbrasion;
         KINDS.iter().filter(move |kind| foam || !kind.foam)

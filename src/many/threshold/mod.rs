@@ -84,11 +84,9 @@ impl ThresholdSearch {
         vary: &str,
         (quantity, target): (Quantity, f64),
     ) -> Result<Self, ScenarioError> {
-        let (path, ends) = match vary.split_once('=') {
-            Some((path, ends)) => (path.trim(), Some(ends)),
-            None => (vary.trim(), None),
-        };
-        let (field, bounds) = question::bounds(&scenario, path)?;
+        let ends = vary.split_once('=');
+        let (path, ends) = ends.map_or((vary, None), |(path, ends)| (path, Some(ends)));
+        let (field, bounds) = question::bounds(&scenario, path.trim())?;
         let range = match ends {
             None => (bounds.min, bounds.max),
             Some(ends) => question::range(&scenario, field, &bounds, ends)?,
@@ -102,7 +100,6 @@ impl ThresholdSearch {
         Ok(search)
     }
 
-    /// The scenario with another value of the field.
     fn at(&self, value: f64) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
         set(&mut scenario, self.field.path, &plain(value))?;
@@ -130,10 +127,8 @@ impl ThresholdSearch {
         if from < 0.0 || to <= 4.0 * from || from == to {
             return spaced(from, to, if from == to { 1 } else { INTERVALS + 1 });
         }
-        let middle = match self.present() {
-            present if present > 0.0 => present,
-            _ => LEAST_SHARE * to,
-        };
+        let present = self.present();
+        let middle = if present > 0.0 { present } else { LEAST_SHARE * to };
         let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
         let least = from.max(LEAST_SHARE * middle);
         let ratio = libm::pow(to / least, 1.0 / INTERVALS as f64).min(LARGEST_RATIO);
@@ -216,7 +211,6 @@ impl ThresholdSearch {
         Ok(seen.into_iter().map(|(i, looked)| (grid[i], looked)).collect())
     }
 
-    /// The results of one run at a value of the field.
     fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
         Ok(single(&self.at(value)?, None, &mut until(stop))?.values)
     }

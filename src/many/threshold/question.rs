@@ -98,9 +98,7 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
         ScenarioError::from(Problem::refused("", value, complaint, allowed.to_owned()))
     };
     let example = "RESULT = VALUE, as in damage_percent = 50";
-    let Some((key, value)) = text.split_once('=') else {
-        return Err(refused(text, "has no =", example));
-    };
+    let (key, value) = text.split_once('=').ok_or_else(|| refused(text, "has no =", example))?;
     let (key, value) = (key.trim().trim_end_matches('='), value.trim_start_matches('=').trim());
     let Some(quantity) = meant(key) else {
         let near = suggestion(&bare(key), Quantity::ALL.iter().map(|q| q.key()));
@@ -108,10 +106,8 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
         return Err(refused(key, &format!("is no result{near}"), allowed));
     };
     // The index is no percentage for a reader, but its key says so.
-    let unit = match quantity.row().unit {
-        "" => "%",
-        unit => unit,
-    };
+    let unit = quantity.row().unit;
+    let unit = if unit.is_empty() { "%" } else { unit };
     let number = value.strip_suffix(unit).unwrap_or(value);
     match number.trim().parse::<f64>() {
         Ok(target) if target < 0.0 && quantity != Quantity::Rebound => {
