@@ -2,7 +2,6 @@
 
 use std::io;
 
-use crate::error::Error;
 use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
 use crate::tui::OpenError;
@@ -19,27 +18,18 @@ pub enum CliError {
     /// What was asked for makes no sense.
     #[error("{0}")]
     Input(String),
-    /// The library refused. What speaks of a scenario begins with a place, as editors expect.
+    /// A scenario makes no sense; the text begins with a place, as editors expect.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// A run was refused; what speaks of the scenario begins with a place as well.
     #[error("{lead}{0}", lead = if .0.is_of_input() { "" } else { "error: " })]
-    Library(#[from] Error),
+    Refused(#[from] Refusal),
     /// The app did not open, or ended with a failure.
     #[error(transparent)]
     App(#[from] OpenError),
     /// The answer could not be written to standard output.
     #[error("error: cannot write the output: {0}")]
     Output(#[from] io::Error),
-}
-
-impl From<ScenarioError> for CliError {
-    fn from(error: ScenarioError) -> Self {
-        Self::Library(error.into())
-    }
-}
-
-impl From<Refusal> for CliError {
-    fn from(refusal: Refusal) -> Self {
-        Self::Library(refusal.into())
-    }
 }
 
 impl CliError {
@@ -55,9 +45,9 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             _ if self.is_broken_pipe() => 0,
-            Self::Library(error) if error.is_of_input() => 2,
-            Self::Failed(_) | Self::Output(_) | Self::Library(_) => 1,
-            Self::Input(_) => 2,
+            Self::Refused(refusal) if refusal.is_of_input() => 2,
+            Self::Failed(_) | Self::Output(_) | Self::Refused(_) => 1,
+            Self::Input(_) | Self::Scenario(_) => 2,
             Self::App(error) => error.exit_code(),
             Self::Interrupted(_) => 130,
         }

@@ -9,7 +9,6 @@
 mod accuracy;
 mod arguments;
 mod compare;
-mod config;
 mod ensemble;
 mod error;
 mod export;
@@ -37,8 +36,8 @@ use crate::cli::{
 };
 use crate::many::{ensemble::FEWEST_SAMPLES, ensemble::MAX_SAMPLES, sweep::SweepAxis};
 use crate::models::kernel_name;
-use crate::plain_text::write_json;
-use crate::tui;
+use crate::plain_text::{printable_path, write_json};
+use crate::tui::{self, config, config::Config};
 
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
@@ -338,7 +337,7 @@ fn answer(command: &Command) -> Result<(), CliError> {
         Command::Run(args) => run::run(args, out),
         Command::Export(args) => export::run(args, out),
         Command::Verify(args) => verify::run(args, out),
-        Command::Config => config::run(out),
+        Command::Config => print_config(out),
         Command::Presets(args) => presets::run(args, out),
         Command::Accuracy(args) => accuracy::run(args, out),
         Command::Ensemble(args) => ensemble::run(args, out),
@@ -350,6 +349,17 @@ fn answer(command: &Command) -> Result<(), CliError> {
         Command::Generate { what } => generate::run(what, out),
     }?;
     Ok(out.flush()?)
+}
+
+/// Prints the settings of the app as a file that may be changed and kept.
+fn print_config(out: &mut dyn Write) -> Result<(), CliError> {
+    let config = Config::load()?;
+    // Kept in a file, this line must stay true: it says where the file belongs, not whether it is.
+    let place = config::path().map(|path| {
+        let path = printable_path(&path);
+        format!("// Read at every start, where it is there, from {path}.\n")
+    });
+    Ok(write!(out, "{}{}", place.unwrap_or_default(), config.to_ron())?)
 }
 
 /// Prints an answer as JSON where that is given, else as text.

@@ -101,24 +101,21 @@ pub(crate) fn rerun(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario + Sync,
 ) -> Vec<Rerun> {
-    let mut groups: Vec<(Scenario, Vec<(usize, &'static Experiment)>)> = Vec::new();
-    for (place, experiment) in experiments.enumerate() {
+    let mut groups: Vec<(Scenario, Vec<&'static Experiment>)> = Vec::new();
+    for experiment in experiments {
         let scenario = change((experiment.scenario)());
         match groups.iter_mut().find(|(known, _)| *known == scenario) {
-            Some((_, members)) => members.push((place, experiment)),
-            None => groups.push((scenario, vec![(place, experiment)])),
+            Some((_, members)) => members.push(experiment),
+            None => groups.push((scenario, vec![experiment])),
         }
     }
-    let mut rows: Vec<(usize, Rerun)> = groups
-        .into_par_iter()
-        .flat_map_iter(|(scenario, members)| {
-            let answers = answers(&scenario);
-            let row = move |(place, experiment)| (place, Rerun::read(experiment, &answers));
-            members.into_iter().map(row)
-        })
-        .collect();
-    rows.sort_by_key(|(place, _)| *place);
-    rows.into_iter().map(|(_, row)| row).collect()
+    let read = |(scenario, members): (Scenario, Vec<&'static Experiment>)| {
+        let answers = answers(&scenario);
+        members.into_iter().map(move |experiment| Rerun::read(experiment, &answers))
+    };
+    let mut rows: Vec<Rerun> = groups.into_par_iter().flat_map_iter(read).collect();
+    rows.sort_by_key(|row| EXPERIMENTS.iter().position(|of| of.key == row.experiment.key));
+    rows
 }
 
 /// Answers of the scenario's own mesh and of the next finer ones.

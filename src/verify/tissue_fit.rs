@@ -109,20 +109,16 @@ struct Match {
     /// Spread of the published curve: a standard deviation of log10 of the energy.
     spread: f64,
     /// Whose eyes count.
-    eyes: &'static [Species],
+    eyes: Eyes,
 }
 
 /// The spread of a published curve whose slope is assumed: its risk of nothing is 1 %.
 const ASSUMED: f64 = 0.15;
-const HUMAN: &[Species] = &[Species::Human];
-const BOTH: &[Species] = &[Species::Human, Species::Pig];
+type Eyes = &'static [Species];
+const HUMAN: Eyes = &[Species::Human];
+const BOTH: Eyes = &[Species::Human, Species::Pig];
 
-const fn matched(
-    injury: Injury,
-    half: &'static [f64],
-    spread: f64,
-    eyes: &'static [Species],
-) -> Match {
+const fn matched(injury: Injury, half: &'static [f64], spread: f64, eyes: Eyes) -> Match {
     Match { injury, half, spread, eyes }
 }
 
