@@ -89,8 +89,7 @@ impl ScenarioArgs {
         if by_flag || !path.is_file() {
             return None;
         }
-        let text = read_text(path).ok()?;
-        let (line, column) = locate(&text, field);
+        let (line, column) = locate(&read_text(path).ok()?, field);
         Some(format!("{}:{line}:{column}", printable(source)))
     }
 }

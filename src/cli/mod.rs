@@ -3,24 +3,20 @@
 //! Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted. A reader that closes the pipe early
 //! is no failure.
 //!
-//! Left out: the answers themselves, one module each, and the meaning of a field's value, which
-//! the registry of fields decides for files, flags and forms alike.
+//! Left out: the answers themselves, and the meaning of a field's value, which the registry of
+//! fields decides for files, flags and forms alike.
 
-mod accuracy;
 mod arguments;
-mod compare;
-mod ensemble;
 mod error;
 mod export;
 mod generate;
 mod guide;
 mod interrupt;
+mod many;
 mod presets;
 mod progress;
-mod report;
 mod run;
 mod sweep;
-mod threshold;
 mod verify;
 
 use std::io::{self, BufWriter, Write};
@@ -339,12 +335,12 @@ fn answer(command: &Command) -> Result<(), CliError> {
         Command::Verify(args) => verify::run(args, out),
         Command::Config => print_config(out),
         Command::Presets(args) => presets::run(args, out),
-        Command::Accuracy(args) => accuracy::run(args, out),
-        Command::Ensemble(args) => ensemble::run(args, out),
-        Command::Compare(args) => compare::run(args, out),
-        Command::Report(args) => report::run(args, out),
+        Command::Accuracy(args) => many::measure(args, out),
+        Command::Ensemble(args) => many::draw(args, out),
+        Command::Compare(args) => many::compare(args, out),
+        Command::Report(args) => many::write_page(args, out),
         Command::Sweep(args) => sweep::run(args, out),
-        Command::Threshold(args) => threshold::run(args, out),
+        Command::Threshold(args) => many::search(args, out),
         Command::Guide { topic } => guide::run(topic.as_deref(), out),
         Command::Generate { what } => generate::run(what, out),
     }?;

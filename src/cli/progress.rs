@@ -9,8 +9,7 @@ use crate::report::pace::Pace;
 
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// In a log or a pipe, where no line is written anew, it is said once what goes on for this many
-/// seconds, after this many.
+/// In a log or a pipe it is said once what goes on for this many seconds, after this many.
 const LONG: f64 = 60.0;
 const KNOWN: Duration = Duration::from_secs(5);
 /// The line is written anew this often at most.

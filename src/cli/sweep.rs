@@ -103,8 +103,7 @@ fn work(
     Ok(())
 }
 
-/// Opens a file to append to, and how many of `rows` it holds already. From a damaged line on it is
-/// cut off, which is said.
+/// Opens a file to append to, cut off at a damaged line; gives how many of `rows` it holds.
 fn open(
     path: &Path,
     sweep: &Sweep,

@@ -99,8 +99,7 @@ impl Injury {
         self.curve().known + UNTESTED * (blow.wider + aslant)
     }
 
-    /// The mean, in logits, of `tissue` and the published curves at `factor` times the energy, where
-    /// they count.
+    /// `tissue` blended with the published curves at `factor` times the energy, where they count.
     fn blended(self, blow: &Blow, factor: f64, tissue: f64) -> f64 {
         let energy = blow.energy.filter(|_| blow.tested > 0.0);
         let published = energy.and_then(|energy| EnergyCurve::counted(self, energy * factor));

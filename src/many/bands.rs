@@ -97,9 +97,8 @@ impl Ensemble {
         Some(Band { low: at(tail(of))?, median: at(0.5)?, high: at(1.0 - tail(of))? })
     }
 
-    /// Whether a result of the scenario as it stands lies outside its band, and the input that may
-    /// be why: of those that stand at an end of what they are drawn from, the one that drives the
-    /// result most.
+    /// Whether a result of the scenario as it stands lies outside its band, and what may be why: of
+    /// the inputs at an end of what they are drawn from the one that drives the result most.
     pub fn outside(&self, of: Quantity) -> Option<Option<&UncertainInput>> {
         let (band, nominal) = (self.band(of)?, self.nominal.as_ref()?[of]?);
         // What is not drawn has a band of no width, and rounding is no news.
@@ -117,8 +116,7 @@ impl Ensemble {
         Quantity::ALL.iter().copied().filter(|of| self.band(*of).is_some()).collect()
     }
 
-    /// Rank correlation of each input with a result, the strongest first: index of the input and
-    /// correlation. None where the scene has no such result.
+    /// Each input's index and rank correlation with a result, if any, the strongest first.
     pub fn drivers(&self, of: Quantity) -> Vec<(usize, f64)> {
         let Some(values) = self.values(of) else { return Vec::new() };
         let with = |input: usize| {

@@ -105,8 +105,7 @@ pub fn order<A: Borrow<Answer>>(
     }
 }
 
-/// Every column, from the left: the names, what to believe, then the results that some answer has,
-/// or all before there are answers.
+/// The names, then the risks and other results that some answer has, or all before there are any.
 pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn> {
     let answers = || entries.iter().filter_map(Entry::answer);
     let none = answers().next().is_none();

@@ -125,7 +125,7 @@ impl Job<'_> {
         (changed, values)
     }
 
-    /// Reads the risks of a sample again as if the curves lay `off` standard deviations away, and as
+    /// Reads a sample's risks again as if the curves lay `off` standard deviations away, and as
     /// matched with the eye that was drawn.
     fn put_curves(&self, answer: &mut BriefAnswer, blow: &Blow, off: f64, drawn: &[f64]) {
         for injury in Injury::ALL {

@@ -33,8 +33,7 @@ impl Bracket {
     }
 }
 
-/// Narrows a bracket of a root of `value` to `width`; a value of exactly zero counts as above
-/// zero.
+/// Narrows a bracket of a root of `value` to `width`; exactly zero counts as above zero.
 ///
 /// # Errors
 /// The first that `value` gives.

@@ -49,8 +49,8 @@ pub enum Subject {
 impl Serialize for Subject {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Result(quantity) => to.serialize_str(quantity.key()),
-            Self::Tolerance(percent) => to.serialize_str(&format!("tolerance_{percent}_percent")),
+            Self::Result(quantity) => quantity.key().serialize(to),
+            Self::Tolerance(percent) => format!("tolerance_{percent}_percent").serialize(to),
         }
     }
 }
@@ -221,11 +221,9 @@ type Claims = Result<Option<Vec<Claim>>, Refusal>;
 
 /// The claim about each result that has a true error.
 fn about_results(claimed: &Results, truth: &Results) -> Vec<Claim> {
-    let claim = |(quantity, truth)| Claim {
-        subject: Subject::Result(quantity),
-        claimed: claimed[quantity],
-        truth: Some(truth),
-        cost: None,
+    let claim = |(of, truth)| {
+        let subject = Subject::Result(of);
+        Claim { subject, claimed: claimed[of], truth: Some(truth), cost: None }
     };
     truth.present().map(claim).collect()
 }
@@ -294,12 +292,9 @@ fn tolerances(scene: &Scenario, reference: u32) -> Claims {
             let damage = chosen.answer.index().damage();
             100.0 * (damage - exact).abs() / damage.abs()
         });
-        Ok(Claim {
-            subject: Subject::Tolerance(percent),
-            claimed: truth.map(|_| percent),
-            truth,
-            cost: chosen.map(|chosen| chosen.elements / ladder.elements(1)),
-        })
+        let cost = chosen.map(|chosen| chosen.elements / ladder.elements(1));
+        let subject = Subject::Tolerance(percent);
+        Ok(Claim { subject, claimed: truth.map(|_| percent), truth, cost })
     };
     TOLERANCES.into_iter().map(&mut claim).collect::<Result<_, _>>().map(Some)
 }
@@ -370,16 +365,10 @@ mod tests {
 
     /// Scenes with a claim each about the same, of which the second folds.
     fn found(study: Study, subject: Subject, claims: [Option<(f64, f64)>; 5]) -> Findings {
-        let claim = |about: Option<(f64, f64)>| Claim {
-            subject,
-            claimed: about.map(|(claimed, _)| claimed),
-            truth: about.map(|(_, truth)| truth),
-            cost: about.map(|_| 3.0),
-        };
-        let scene = |(index, about)| Checked {
-            index,
-            claims: (index != 1).then(|| vec![claim(about)]),
-            faults: Vec::new(),
+        let scene = |(index, about): (u32, Option<(f64, f64)>)| {
+            let (claimed, truth) = about.unzip();
+            let claim = Claim { subject, claimed, truth, cost: about.map(|_| 3.0) };
+            Checked { index, claims: (index != 1).then(|| vec![claim]), faults: Vec::new() }
         };
         Findings { study, seed: 1, scenes: (0..).zip(claims).map(scene).collect() }
     }
@@ -393,7 +382,7 @@ mod tests {
         assert_eq!((row.subject, row.within), (subject, Some(50.0)));
         assert_eq!((row.claims, row.misses, row.without_claim), (4, 2, 0));
         assert_eq!(row.largest_truth, Some(2.0));
-        let missed: Vec<u32> = all.misses().iter().map(|(index, _)| *index).collect();
+        let (missed, _): (Vec<u32>, Vec<Claim>) = all.misses().into_iter().unzip();
         assert_eq!((missed, all.folded()), (vec![2, 4], vec![1]));
     }
 

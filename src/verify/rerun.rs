@@ -130,8 +130,7 @@ fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
     [own, finer, finest]
 }
 
-/// Whether a flag matters to a reading. That at a way of the object is taken before its window
-/// ends, which cuts what comes after on purpose.
+/// Whether a flag matters to a reading: at a way of the object the window ends on purpose.
 fn limits(reading: Gauge, kind: FlagKind) -> bool {
     let ends =
         matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort | FlagKind::WindowCapped);

@@ -34,8 +34,7 @@ use crate::scenario::{problem::ScenarioError, set::set};
 /// Intervals of the grid, at least, and the largest ratio of neighbours on it.
 const INTERVALS: usize = 24;
 const LARGEST_RATIO: f64 = 2.0;
-/// The grid goes down to this share of the present value, and then to the end of a range that
-/// somebody gave.
+/// The grid goes down to this share of the present value, then to the end of a given range.
 const LEAST_SHARE: f64 = 1e-3;
 /// To this share alone where nobody gave one: a blow so slow lasts for ever.
 const SLOWEST_SHARE: f64 = 1e-2;
@@ -53,8 +52,7 @@ pub struct ThresholdSearch {
     bounds: Bounds,
     /// Least and greatest value of the field.
     pub range: (f64, f64),
-    /// Whether the person gave that range; else it is all that the field may be, but for what is
-    /// less than a hundredth of the present value.
+    /// Whether the person gave that range; else it begins at [`SLOWEST_SHARE`] of the present one.
     narrow: bool,
     /// The result.
     pub quantity: Quantity,
@@ -120,8 +118,7 @@ impl ThresholdSearch {
         number(self.field, &self.scenario).map_or(f64::NAN, |(present, _)| present)
     }
 
-    /// The values that are looked at first: evenly where the range has both signs or is narrow,
-    /// else by ratios from the present value on.
+    /// The values of the grid: by ratios from the present one on where the range is wide.
     fn grid(&self) -> Vec<f64> {
         let (from, to) = self.range;
         if from < 0.0 || to <= 4.0 * from || from == to {

@@ -58,8 +58,7 @@ pub(super) fn range(
     Ok((from, to))
 }
 
-/// What is asked of a scenario unless something else is: the field to vary, and the result with the
-/// value that it is to reach.
+/// The field that is varied, and the result with its value, unless a person asks for others.
 pub fn usual(scenario: &Scenario) -> (&'static str, (Quantity, f64)) {
     let field = match scenario.impact {
         Impact::ForcePulse(_) => "impact.force_n",
