@@ -10,7 +10,6 @@ use crate::cli::{CliError, ExportArgs, interrupt, progress::Progress};
 use crate::plain_text::printable_path;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{export::FrameWriter, ordered::until, refusal::Refusal, trace::write_traces};
-use crate::scenario::CheckedScenario;
 use crate::whole_file;
 
 const FRAMES_EVERY_US: f64 = 10.0;
@@ -27,7 +26,8 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         return Err(CliError::Input("--frames and --traces name the same file".to_owned()));
     }
     let every_us = args.every_us.unwrap_or(FRAMES_EVERY_US);
-    let least_us = shortest_us(&scenario);
+    let case = Compiled::new(&scenario);
+    let least_us = case.window() * 1e6 * case.eye.regions().len() as f64 / MAX_POSITIONS;
     if args.frames.is_some() && every_us < least_us {
         return Err(CliError::Input(format!(
             "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"
@@ -83,12 +83,6 @@ fn write_frames(
     taken.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
     writer.finish().map_err(csv_to_io)?;
     Ok(count)
-}
-
-/// The least time between two frames that makes no more than [`MAX_POSITIONS`], in us.
-fn shortest_us(scenario: &CheckedScenario) -> f64 {
-    let case = Compiled::new(scenario);
-    case.window() * 1e6 * case.eye.regions().len() as f64 / MAX_POSITIONS
 }
 
 /// Writes a file whole or not at all.

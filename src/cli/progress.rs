@@ -72,7 +72,6 @@ impl Progress {
         let is_long = line.pace.left().is_some_and(|left| left >= LONG);
         if !self.visible && !line.said && elapsed > KNOWN && is_long {
             line.said = true;
-            // Nobody is hurt if it is lost.
             let _ = writeln!(io::stderr(), "{what}: {}", line.pace.words(of));
         }
         let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
@@ -81,7 +80,6 @@ impl Progress {
         }
         let text = format!("{what}: {}", line.pace.words(of));
         if line.shown.as_ref().is_none_or(|(shown, _)| *shown != text) {
-            // Nobody is hurt if a line of progress is lost.
             let _ = write!(io::stderr(), "\r{text}\x1b[K");
             line.shown = Some((text, Instant::now()));
         }

@@ -4,9 +4,7 @@ use crate::run::quantity::Quantity;
 use strum::{EnumCount, IntoStaticStr, VariantArray};
 
 /// An injury, the gravest first.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, EnumCount, IntoStaticStr, VariantArray,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "snake_case")]
 pub enum Injury {
     /// The wall of the globe torn through.

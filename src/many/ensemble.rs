@@ -83,7 +83,7 @@ pub struct Ensemble {
 }
 
 /// What a refusal is counted under.
-fn name(refusal: &Refusal) -> String {
+fn name(refusal: &Refusal) -> &'static str {
     match refusal {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
@@ -94,7 +94,6 @@ fn name(refusal: &Refusal) -> String {
         Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
         Refusal::Cancelled => "cancelled",
     }
-    .to_owned()
 }
 
 /// Called with the ensemble so far after each sample, on any thread; `Break` stops the rest.
@@ -167,7 +166,7 @@ impl Job<'_> {
         if let (Ok(answer), Some(place)) = (&mut outcome, curves) {
             self.put_curves(answer, &Blow::of(&scenario), drawn[place], &drawn);
         }
-        let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal));
+        let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal).to_owned());
         Some(Sample { drawn, outcome })
     }
 

@@ -158,16 +158,14 @@ impl Grid {
     }
 }
 
-/// Called with the grid so far after each point, on any thread; `Break` stops the rest.
-pub type OnPoint<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
-
-/// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has.
+/// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has. `on_point`
+/// is called with the grid so far after each point, on any thread; `Break` stops the rest.
 pub fn fill(
     scenario: &Scenario,
     spans: (Span, Span),
     mut grid: Grid,
     stop: &AtomicBool,
-    on_point: OnPoint,
+    on_point: &(dyn Fn(&Grid) -> ControlFlow<()> + Sync),
 ) -> Grid {
     let mut lacking = grid.order();
     lacking.retain(|at| grid.at(*at).is_none());

@@ -45,12 +45,11 @@ impl SweepAxis {
         let wanted = "expected FIELD=FROM:TO:COUNT or FIELD=A,B,C, as in impact.force_n=100:500:5";
         let (path, text) = typed.split_once('=').ok_or(wanted)?;
         let (path, text) = (path.trim().to_owned(), text.trim());
-        let parts: Vec<&str> = text.split(':').map(str::trim).collect();
-        let values = match parts[..] {
+        let mut values: Vec<String> = match text.split(':').collect::<Vec<_>>()[..] {
             [from, to, count] => {
-                let number = |text: &str| text.parse().ok().filter(|n: &f64| n.is_finite());
+                let number = |text: &str| text.trim().parse().ok().filter(|n: &f64| n.is_finite());
                 let (from, to) = number(from).zip(number(to)).ok_or(wanted)?;
-                let count = count.parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
+                let count = count.trim().parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
                 let count = count.ok_or(format!("the count must be 1 to {MAX_VALUES}"))?;
                 if count == 1 && from != to {
                     return Err("a count of 1 leaves no room for two ends".to_owned());
@@ -60,15 +59,14 @@ impl SweepAxis {
             [list] => list.split(',').map(|v| v.trim().to_owned()).collect(),
             _ => return Err(wanted.to_owned()),
         };
-        let mut axis = Self { path, values };
-        if axis.path.is_empty() || axis.values.iter().any(String::is_empty) {
+        if path.is_empty() || values.iter().any(String::is_empty) {
             return Err(wanted.to_owned());
         }
-        if axis.values.len() > MAX_VALUES {
+        if values.len() > MAX_VALUES {
             return Err(format!("at most {MAX_VALUES} values"));
         }
-        axis.values.shrink_to_fit();
-        Ok(axis)
+        values.shrink_to_fit();
+        Ok(Self { path, values })
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it;
 //! wherever two neighbours lie on two sides of the value, the crossing between them is bracketed
-//! to a share of itself (see [`crate::many::root`]). With e the error of the result there, as
+//! to a share of itself (see `crate::many::root`). With e the error of the result there, as
 //! answers state it, and s its slope over a hundredth to both sides, the crossing may be off by
 //! e / s: one figure for the step, one for the mesh. A risk carries what is said of it there, and
 //! the range of the field over which its range, with all that is not known at the crossing, holds
