@@ -276,28 +276,23 @@ mod tests {
     }
 
     /// Runs it, or what `known` lacks, until there are `most` samples.
-    fn part_of(
-        scenario: &Scenario,
-        asked: (u32, u32),
-        known: Option<Ensemble>,
-        most: usize,
-    ) -> Ensemble {
+    fn part(scenario: &Scenario, of: (u32, u32), known: Option<Ensemble>, most: usize) -> Ensemble {
         let early = |so_far: &Ensemble| stop_if(so_far.samples.len() >= most);
-        run(&scenario.check().unwrap(), asked, known, &AtomicBool::new(false), &early).unwrap()
+        run(&scenario.check().unwrap(), of, known, &AtomicBool::new(false), &early).unwrap()
     }
 
     fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
-        part_of(scenario, (count, seed), None, usize::MAX)
+        part(scenario, (count, seed), None, usize::MAX)
     }
 
     #[test]
     fn a_stopped_one_is_a_smaller_one_and_goes_on_to_the_whole() {
         let whole = ensemble(&quick(), 40, 1);
         for most in [3, 8, 16] {
-            let part = part_of(&quick(), (40, 1), None, most);
-            assert!(part.stopped() && !whole.stopped());
-            assert_eq!(part.samples, whole.samples[..most]);
-            let rest = part_of(&quick(), (40, 1), Some(part), usize::MAX);
+            let early = part(&quick(), (40, 1), None, most);
+            assert!(early.stopped() && !whole.stopped());
+            assert_eq!(early.samples, whole.samples[..most]);
+            let rest = part(&quick(), (40, 1), Some(early), usize::MAX);
             assert_eq!((rest.samples, rest.cap), (whole.samples.clone(), whole.cap));
         }
     }

@@ -217,15 +217,18 @@ impl HardCase {
             Ok(answer) => answer,
             Err(refusal) => return self.outcome(CaseVerdict::Refused, None, refusal.to_string()),
         };
+        let reference = |(integrator, fineness): (Integrator, f64)| -> Result<_, Refusal> {
+            let multiple = fineness * answer.plan.multiple;
+            let plan = Plan { integrator, multiple, ..answer.plan };
+            Ok(answer.case.results(&answer.case.run(&plan, Keep::default(), &mut unwatched)?))
+        };
         let [first, second] = self.references;
-        let (first, second) =
-            rayon::join(|| reference(&answer, first), || reference(&answer, second));
-        first.and_then(|first| Ok(self.judge(&answer, &first, &second?))).unwrap_or_else(
-            |refusal| {
-                let note = format!("a reference failed: {refusal}");
-                self.outcome(CaseVerdict::Wrong, Some(&answer), note)
-            },
-        )
+        let (first, second) = rayon::join(|| reference(first), || reference(second));
+        let failed = |refusal: Refusal| {
+            let note = format!("a reference failed: {refusal}");
+            self.outcome(CaseVerdict::Wrong, Some(&answer), note)
+        };
+        first.and_then(|first| Ok(self.judge(&answer, &first, &second?))).unwrap_or_else(failed)
     }
 
     fn outcome(&self, verdict: CaseVerdict, answer: Option<&Answer>, note: String) -> CaseOutcome {
@@ -293,16 +296,6 @@ fn worst_error(errors: &Results, results: &Results) -> f64 {
 fn doubts_numbers(flag: &Flag) -> bool {
     use FlagKind as F;
     [F::MeshFolded, F::Unconverged, F::EnergyImbalance, F::LostInRounding].contains(&flag.kind)
-}
-
-/// Results of the answer's case in `fineness` times as many steps of `integrator`.
-fn reference(
-    answer: &Answer,
-    (integrator, fineness): (Integrator, f64),
-) -> Result<Results, Refusal> {
-    let plan = Plan { integrator, multiple: fineness * answer.plan.multiple, ..answer.plan };
-    let solution = answer.case.run(&plan, Keep::default(), &mut unwatched)?;
-    Ok(answer.case.results(&solution))
 }
 
 /// Runs all cases on all cores, in their order; `progress` is told the share that is done.

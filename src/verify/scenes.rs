@@ -20,11 +20,9 @@ const FARTHEST_MM: f64 = 8.0;
 pub enum Scenes {
     /// Pulses on the Paper model: force, duration, angle, width, shape, filaments.
     Pulses,
-    /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the
-    /// eye and what holds it.
+    /// Objects of any mass, size, speed, angle and make at eyes of the Physiological model.
     Objects,
-    /// The same objects from the side: angles to 70 degrees at any hour, aimed up to 8 mm beside
-    /// the middle, at the eye that they need.
+    /// The same from the side: to 70 degrees at any hour, aimed up to 8 mm beside the middle.
     Sides,
 }
 
