@@ -333,8 +333,7 @@ mod tests {
 
     #[test]
     fn two_settings_that_need_each_other_may_come_in_any_order() {
-        let angle = "--set=impact.angle_deg=60";
-        let opening = "--set=eye.opening_deg=70";
+        let (angle, opening) = ("--set=impact.angle_deg=60", "--set=eye.opening_deg=70");
         assert!(scenario(&[angle, opening]).is_ok());
         assert!(scenario(&[opening, angle]).is_ok());
         assert!(scenario(&[angle]).is_err());

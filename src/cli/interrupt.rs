@@ -10,7 +10,10 @@ use signal_hook::flag;
 /// Is set by Ctrl-C, by a polite request to end and, on Unix, by the end of the connection.
 pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup()) {
+    let signals = [SIGINT, SIGTERM].into_iter();
+    #[cfg(unix)]
+    let signals = signals.chain(hangup());
+    for signal in signals {
         // Registered first, so that only a second signal finds the flag set.
         flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop))?;
         flag::register(signal, Arc::clone(&stop))?;
@@ -27,11 +30,6 @@ fn hangup() -> Option<i32> {
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;
     let mask = u64::from_str_radix(mask.trim(), 16).ok()?;
     (mask & (1 << (hangup - 1)) == 0).then_some(hangup)
-}
-
-#[cfg(not(unix))]
-fn hangup() -> Option<i32> {
-    None
 }
 
 /// Turns a file that grows beyond the limit of the shell (`ulimit -f`) into an error of the write,

@@ -18,12 +18,9 @@ use crate::run::{ordered, watch::stop_if};
 /// No row is longer, in bytes.
 const LONGEST_LINE: u64 = 64 * 1024;
 
-/// Which rows: those of shard `index`, from 1, of so many.
+/// Which rows: those of a shard, counted from 1, of so many.
 #[derive(Debug, Clone, Copy)]
-pub struct Shard {
-    index: usize,
-    of: usize,
-}
+pub struct Shard(usize, usize);
 
 impl Shard {
     /// Reads `I/N`.
@@ -31,15 +28,16 @@ impl Shard {
         let wanted = "expected I/N with I from 1 to N and N up to 1000000, as in 3/8";
         let (index, of) = typed.split_once('/').ok_or(wanted)?;
         match (index.trim().parse(), of.trim().parse()) {
-            (Ok(index), Ok(of)) if 1 <= index && index <= of && of <= 1_000_000 => {
-                Ok(Self { index, of })
+            (Ok(index), Ok(of)) if (1..=of).contains(&index) && of <= 1_000_000 => {
+                Ok(Self(index, of))
             }
             _ => Err(wanted),
         }
     }
 
     fn rows(self, all: usize) -> Vec<usize> {
-        (self.index - 1..all).step_by(self.of).collect()
+        let Self(index, of) = self;
+        (index - 1..all).step_by(of).collect()
     }
 }
 

@@ -114,7 +114,18 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         }
         VerifyCommand::Sides { scenes, meshes: false } => (Study::Steps(Scenes::Sides), scenes),
         VerifyCommand::Sides { scenes, meshes: true } => (Study::Meshes(Scenes::Sides, 1), scenes),
-        VerifyCommand::HardCases => return run_hard_cases(args, out),
+        VerifyCommand::HardCases => {
+            let outcomes =
+                shown(|progress| hard_cases::run(&|share| progress.show("hard cases", share)));
+            print(args, &outcomes[..], cases::json, cases::text, out)?;
+            out.flush()?;
+            let wrong = outcomes.iter().filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
+            let names: Vec<&str> = wrong.map(|outcome| outcome.name).collect();
+            if names.is_empty() {
+                return Ok(());
+            }
+            return Err(CliError::Failed(format!("silently wrong: {}", names.join(", "))));
+        }
         VerifyCommand::Experiments => {
             let rerun = rayon::join(rerun_all, InOrbit::run);
             return print(args, &rerun, experiments::json, experiments::text, out);
@@ -144,18 +155,6 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         })
     })?;
     print(args, &found, claims::json, claims::text, out)
-}
-
-fn run_hard_cases(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
-    let outcomes = shown(|progress| hard_cases::run(&|share| progress.show("hard cases", share)));
-    print(args, &outcomes[..], cases::json, cases::text, out)?;
-    out.flush()?;
-    let wrong = outcomes.iter().filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
-    let names: Vec<&str> = wrong.map(|outcome| outcome.name).collect();
-    if names.is_empty() {
-        return Ok(());
-    }
-    Err(CliError::Failed(format!("silently wrong: {}", names.join(", "))))
 }
 
 fn print<T: ?Sized>(

@@ -1,8 +1,7 @@
 //! Several scenarios side by side: what came of each with the errors of step and mesh, which
 //! results are worth a column, and which blow is worse.
 //!
-//! [`compare`] answers them on all cores; what one of them refuses is kept beside the answers of
-//! the others.
+//! [`compare`] answers them on all cores; what one of them refuses is kept beside the others.
 
 use std::borrow::Borrow;
 use std::cmp::Ordering;
@@ -176,7 +175,6 @@ pub fn compare(
 mod tests {
     use super::*;
     use crate::scenario::set::set;
-    use std::sync::atomic::Ordering as Memory;
 
     fn of(force: &str) -> (String, CheckedScenario) {
         let mut scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
@@ -196,7 +194,7 @@ mod tests {
         assert!(entries.iter().all(|entry| entry.answer().unwrap().errors.mesh.is_some()));
         let columns = leading(&entries, Some(Quantity::StoredEnergy));
         assert!(columns.contains(&Quantity::StoredEnergy) && !columns.contains(&Quantity::Contact));
-        stop.store(true, Memory::Relaxed);
-        assert!(compare(&[of("100")], |_| Keep::default(), &stop, |_| {}).is_err());
+        let stopped = AtomicBool::new(true);
+        assert!(compare(&asked, |_| Keep::default(), &stopped, |_| {}).is_err());
     }
 }

@@ -332,14 +332,11 @@ mod tests {
 
     #[test]
     fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
-        let sample = |first, tried, good_step| Sample {
-            drawn: Vec::new(),
-            outcome: Ok(BriefAnswer {
-                ranges: None,
-                values: Results::from_fn(|_| None),
-                flags: Vec::new(),
-                check: Some(Check { first, tried, last: 0.01, good_step }),
-            }),
+        let sample = |first, tried, good_step| {
+            let check = Some(Check { first, tried, last: 0.01, good_step });
+            let (values, flags) = (Results::from_fn(|_| None), Vec::new());
+            let answer = BriefAnswer { values, flags, check, ranges: None };
+            Sample { drawn: Vec::new(), outcome: Ok(answer) }
         };
         let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
         let mixed = longest_step(&[stiff.clone(), soft], 0.1);

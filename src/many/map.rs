@@ -125,8 +125,8 @@ impl Grid {
     pub fn read(&self, quantity: Quantity, (x, y): (f64, f64)) -> Option<MapReading> {
         let last = (self.side - 1) as f64;
         let (x, y) = (x.clamp(0.0, 1.0) * last, y.clamp(0.0, 1.0) * last);
-        let mut every = 1;
-        while every < self.side {
+        let widths = std::iter::successors(Some(1), |width| Some(2 * width));
+        for every in widths.take_while(|width| *width < self.side) {
             // The cell of that width round the place: its lower corner, and the share from there.
             let place = |at: f64| {
                 let cell =
@@ -152,7 +152,6 @@ impl Grid {
                 };
                 return Some(MapReading { value: value(), folded, exact: false });
             }
-            every *= 2;
         }
         None
     }

@@ -186,9 +186,7 @@ pub struct TissueFits {
 }
 
 /// What all tissues feel; none where a run was refused.
-type Felt = Option<PerInjury<f64>>;
-
-fn felt(scenario: &Scenario) -> Felt {
+fn felt(scenario: &Scenario) -> Option<PerInjury<f64>> {
     let answer = single(&scenario.check().ok()?, None, &mut unwatched).ok()?;
     Some(std::array::from_fn(|i| {
         let of = Injury::ALL[i].measure();
@@ -201,7 +199,7 @@ fn felt(scenario: &Scenario) -> Felt {
 #[derive(Default)]
 struct Runs {
     asked: RefCell<Vec<Scenario>>,
-    felt: Vec<Felt>,
+    felt: Vec<Option<PerInjury<f64>>>,
 }
 
 impl Runs {

@@ -156,7 +156,13 @@ impl ThresholdSearch {
         }
         let known = |looked: Looked| looked?.ok_or_else(|| "no such result there".to_owned());
         let seen: Vec<_> = seen.into_iter().map(|(at, result)| (at, known(result))).collect();
-        let brackets = self.brackets(&seen);
+        // Neighbours on two sides of the target.
+        let brackets = seen.windows(2).filter_map(|pair| {
+            let [(a, Ok(low)), (b, Ok(high))] = pair else { return None };
+            let bracket = Bracket { low: (*a, low - self.target), high: (*b, high - self.target) };
+            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
+        });
+        let brackets: Vec<Bracket> = brackets.collect();
         let mut crossings = Vec::new();
         let values = || seen.iter().filter_map(|(_, result)| result.clone().ok());
         let spread = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
@@ -209,16 +215,6 @@ impl ThresholdSearch {
 
     fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
         Ok(single(&self.at(value)?, None, &mut until(stop))?.values)
-    }
-
-    /// Neighbours on two sides of the target.
-    fn brackets(&self, seen: &[(f64, Result<f64, String>)]) -> Vec<Bracket> {
-        let pairs = seen.windows(2).filter_map(|pair| {
-            let [(a, Ok(low)), (b, Ok(high))] = pair else { return None };
-            let bracket = Bracket { low: (*a, low - self.target), high: (*b, high - self.target) };
-            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
-        });
-        pairs.collect()
     }
 }
 
