@@ -39,7 +39,6 @@ pub struct ScenariosArgs {
     pub changes: Changes,
 }
 
-/// Changes to a scenario.
 #[derive(Debug, Default, Args)]
 pub struct Changes {
     /// Change one field, as in `impact.force_n=450`, or with its doubt, as in

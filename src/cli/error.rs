@@ -24,10 +24,8 @@ pub enum CliError {
     /// A run was refused; what speaks of the scenario begins with a place as well.
     #[error("{lead}{0}", lead = if .0.is_of_input() { "" } else { "error: " })]
     Refused(#[from] Refusal),
-    /// The app did not open, or ended with a failure.
     #[error(transparent)]
     App(#[from] OpenError),
-    /// The answer could not be written to standard output.
     #[error("error: cannot write the output: {0}")]
     Output(#[from] io::Error),
 }

@@ -17,7 +17,6 @@ const UNWRITTEN: &str = "nothing was written";
 /// More node positions than this would be a file of more than 5 GB.
 const MAX_POSITIONS: f64 = 5e7;
 
-/// Simulates the scenario and writes the files that were asked for.
 pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     if let (Some(frames), Some(traces)) = (&args.frames, &args.traces)

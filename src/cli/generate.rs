@@ -38,7 +38,6 @@ pub enum GenerateCommand {
     },
 }
 
-/// Prints what was asked for.
 pub fn run(what: &GenerateCommand, out: &mut dyn Write) -> Result<(), CliError> {
     match what {
         GenerateCommand::Completions { shell } => Ok(out.write_all(&script(*shell))?),

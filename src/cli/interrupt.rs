@@ -21,8 +21,7 @@ pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     Ok(stop)
 }
 
-/// SIGHUP, unless `nohup` had it ignored: listening would undo that. Only Linux says whether it
-/// did.
+/// SIGHUP, unless `nohup` had it ignored, which listening would undo: only Linux says whether.
 #[cfg(unix)]
 fn hangup() -> Option<i32> {
     let hangup = signal_hook::consts::SIGHUP;

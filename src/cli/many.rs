@@ -14,7 +14,6 @@ use crate::run::{kept::Keep, quantity::Quantity};
 use crate::scenario::{CheckedScenario, problem::ScenarioError, problem::five_nearest};
 use crate::whole_file;
 
-/// Measures every level, integrator and step and prints the report.
 pub fn measure(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let changes = &args.scenario.changes;
@@ -109,7 +108,6 @@ fn answered(
     entries.map_err(|refusal| CliError::stopped(refusal, otherwise))
 }
 
-/// Simulates every blow and prints them as rows of one table.
 pub fn compare(args: &CompareArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let asked = args.scenarios.scenarios()?;
     if let [(only, _)] = &asked[..] {

@@ -22,7 +22,6 @@ struct Row {
     error: Option<String>,
 }
 
-/// Lists the presets, or prints the text of one.
 pub fn run(args: &PresetsArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if let Some(PresetsCommand::Show { name }) = &args.command {
         let text = library::find(name)?.text()?;

@@ -54,12 +54,10 @@ impl Progress {
         }
     }
 
-    /// Shows what share of the work is done.
     pub fn show(&self, what: &str, share: f64) {
         self.show_of(what, share, None);
     }
 
-    /// Shows how many are done of how many.
     pub fn count(&self, what: &str, done: usize, of: usize) {
         self.show_of(what, done as f64 / of.max(1) as f64, Some(of));
     }

@@ -14,10 +14,8 @@ use crate::scenario::{EyeInput, Scenario, set::full_path};
 /// A simulation after which what takes many of them is announced, where no progress is seen.
 const LONG: Duration = Duration::from_secs(3);
 
-/// Simulates the scenario and prints its results.
-///
-/// The mesh error, which takes two finer meshes, and what the inputs are not known to, which takes
-/// a run for each, are estimated first, wherever the output goes: each figure bears its error.
+/// Prints the results, each with its error: the mesh error takes two finer meshes, and what the
+/// inputs are not known to a run for each.
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();

@@ -98,7 +98,6 @@ fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED))
 }
 
-/// Checks what was asked for and prints what was found.
 pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if !threads::pool_is_there() {
         let why = "no thread can start here, and this check takes many";

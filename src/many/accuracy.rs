@@ -158,6 +158,35 @@ impl Accuracy {
         let mut own = chosen.into_iter().chain([Quantity::Pressure, Quantity::Damage]);
         own.find(|of| known.contains(of)).or(known.first().copied())
     }
+
+    fn add(&mut self, job: &Job, cases: &[Compiled], watch: Watch) -> Result<(), Refusal> {
+        let case = || &cases[job.level as usize - 1];
+        match job.what {
+            What::Level => self.levels.push(at_level(&self.scenario, job.level, watch)?),
+            What::Reference => {
+                let run = case().run(&job.plan, Keep::default(), watch)?;
+                self.references.push(case().results(&run));
+            }
+            What::Trial(place) => {
+                let trial = &mut self.trials[place];
+                let began = Instant::now();
+                let run = case().run(&job.plan, Keep::default(), watch);
+                let took = began.elapsed().as_secs_f64();
+                match run {
+                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                    Err(_) => {}
+                    Ok(run) => {
+                        let each = case().elements_per_evaluation();
+                        trial.elements = (run.cost.evaluations * each) as f64;
+                        trial.results = Some(case().results(&run));
+                    }
+                }
+                trial.times.push(took);
+            }
+        }
+        self.done += 1;
+        Ok(())
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -231,37 +260,6 @@ fn trials(case: &Compiled) -> Vec<Trial> {
         times: Vec::new(),
     };
     plans.into_iter().map(trial).collect()
-}
-
-impl Accuracy {
-    fn add(&mut self, job: &Job, cases: &[Compiled], watch: Watch) -> Result<(), Refusal> {
-        let case = || &cases[job.level as usize - 1];
-        match job.what {
-            What::Level => self.levels.push(at_level(&self.scenario, job.level, watch)?),
-            What::Reference => {
-                let run = case().run(&job.plan, Keep::default(), watch)?;
-                self.references.push(case().results(&run));
-            }
-            What::Trial(place) => {
-                let trial = &mut self.trials[place];
-                let began = Instant::now();
-                let run = case().run(&job.plan, Keep::default(), watch);
-                let took = began.elapsed().as_secs_f64();
-                match run {
-                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
-                    Err(_) => {}
-                    Ok(run) => {
-                        let each = case().elements_per_evaluation();
-                        trial.elements = (run.cost.evaluations * each) as f64;
-                        trial.results = Some(case().results(&run));
-                    }
-                }
-                trial.times.push(took);
-            }
-        }
-        self.done += 1;
-        Ok(())
-    }
 }
 
 /// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`,

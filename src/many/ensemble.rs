@@ -195,9 +195,8 @@ impl Job<'_> {
     }
 }
 
-/// The longest step that the pilot allows, in s: a little below those at which its samples would
-/// just keep `promise`, in %, of the samples that did not keep it at their longest stable step.
-/// Where all did, none longer than they took. Infinite if all have folded.
+/// The longest step that the pilot allows, in s: a little below those at which the samples that
+/// missed `promise`, in %, would just keep it, or that any took. Infinite if all have folded.
 fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
     let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
     let checks = points.filter(|p| !p.folded()).filter_map(|p| p.check);

@@ -41,13 +41,9 @@ fn ranks(of: &[f64]) -> Vec<f64> {
 pub fn rank_correlation(x: &[f64], y: &[f64]) -> f64 {
     let (x, y) = (ranks(x), ranks(y));
     let middle = 0.5 * (x.len() as f64 - 1.0);
-    let (mut xy, mut xx, mut yy) = (0.0, 0.0, 0.0);
-    for (a, b) in x.iter().zip(&y) {
-        let (a, b) = (a - middle, b - middle);
-        xy += a * b;
-        xx += a * a;
-        yy += b * b;
-    }
+    let product = |(a, b): (&f64, &f64)| (a - middle) * (b - middle);
+    let of = |x: &[f64], y: &[f64]| x.iter().zip(y).map(product).sum::<f64>();
+    let (xy, xx, yy) = (of(&x, &y), of(&x, &x), of(&y, &y));
     if xx > 0.0 && yy > 0.0 { xy / (xx * yy).sqrt() } else { 0.0 }
 }
 

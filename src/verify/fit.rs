@@ -10,7 +10,7 @@
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.
 
-use crate::verify::experiments::MeasuredBand;
+use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::rerun::{Rerun, fitted, rerun, with_fat};
 use rayon::prelude::*;
 
@@ -52,10 +52,8 @@ impl Tried {
     /// Runs the fitted experiments with a bulk modulus of fat, in `MPa`.
     pub fn run(mpa: f64) -> Self {
         let rows = rerun(fitted(), |scenario| with_fat(scenario, mpa));
-        let misfit = |row: &Rerun| {
-            let measured = row.experiment.measured;
-            row.predicted.iter().map(|value| misfit_of(measured, value)).sum::<f64>()
-        };
+        let each = |row: &Rerun| row.predicted.each_ref().map(|v| misfit_of(row.experiment, v));
+        let misfit = |row: &Rerun| each(row).iter().sum::<f64>();
         let inside = rows.iter().flat_map(Rerun::inside).filter(|inside| *inside);
         Self { mpa, misfit: rows.iter().map(misfit).sum(), inside: inside.count(), rows }
     }
@@ -84,8 +82,8 @@ pub fn fit(progress: impl Fn(f64)) -> Fit {
 
 /// Squared distance of a figure from what was measured, in standard deviations. Where a source
 /// gives none, a factor of 1.3 counts as one; what cannot be run does not fit.
-pub(crate) fn misfit_of(measured: MeasuredBand, value: &Result<f64, String>) -> f64 {
-    let &Ok(value) = value else { return f64::INFINITY };
+pub(crate) fn misfit_of(experiment: &Experiment, value: &Result<f64, String>) -> f64 {
+    let (&Ok(value), measured) = (value, experiment.measured) else { return f64::INFINITY };
     let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
     let (low, high) = measured.limits();
     let z = match measured {

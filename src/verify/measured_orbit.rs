@@ -49,7 +49,7 @@ impl InOrbit {
     /// The sum of squared misfits of each of [`FATS_MPA`], as the fit has it.
     pub fn misfits(&self) -> [f64; FATS_MPA.len()] {
         std::array::from_fn(|i| {
-            let of = |(experiment, values): &Row<_>| misfit_of(experiment.measured, &values[i]);
+            let of = |(experiment, values): &Row<_>| misfit_of(experiment, &values[i]);
             self.fitted.iter().map(of).sum()
         })
     }
