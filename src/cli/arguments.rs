@@ -61,7 +61,8 @@ fn integrators() -> String {
     for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {
         let (name, about, order) = (method.name, method.about, method.order);
         let each = method.evaluations();
-        text += &format!("\n- {name}: {about} Order {order}; force evaluations a step: {each}.");
+        let line = format!("{name}: {about} Order {order}; force evaluations a step: {each}.");
+        text.extend(["\n- ", &line]);
     }
     text + "\n- auto: the program chooses."
 }

@@ -71,7 +71,6 @@ fn result(flag: &str, name: &str) -> Result<Quantity, CliError> {
     })
 }
 
-/// Looks for every crossing and prints it with its errors.
 pub fn search(args: &ThresholdArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     let refused =

@@ -30,9 +30,10 @@ fn ranks(of: &[f64]) -> Vec<f64> {
     let mut ranks = vec![0.0; of.len()];
     let mut from = 0;
     for same in order.chunk_by(|&a, &b| of[a] == of[b]) {
-        let to = from + same.len();
-        same.iter().for_each(|&i| ranks[i] = 0.5 * (from + to - 1) as f64);
-        from = to;
+        for &i in same {
+            ranks[i] = 0.5 * (2 * from + same.len() - 1) as f64;
+        }
+        from += same.len();
     }
     ranks
 }
