@@ -32,7 +32,7 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "\n{}, {} in {}", fit.injury.name(), row.label, row.unit)?;
         for kind in &fit.kinds {
             let (felt, told) = (significant(kind.felt * row.factor), 100.0 * kind.told_by_others);
-            writeln!(out, "  {:<14}{felt:>9}{told:>6.0} %", kind.kind.name)?;
+            writeln!(out, "  {:<14}{felt:>9}{told:>6.0} %", kind.kind)?;
         }
     }
     Ok(())
@@ -42,7 +42,7 @@ fn one(fit: &TissueFit) -> Value {
     let (row, shipped) = (fit.injury.measure().row(), fit.injury.curve());
     let kinds = fit.kinds.iter().map(|kind| {
         json!({
-            "kind": kind.kind.name,
+            "kind": kind.kind,
             "felt": kind.felt * row.factor,
             "told_by_others_percent": 100.0 * kind.told_by_others,
         })

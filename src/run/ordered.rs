@@ -4,7 +4,7 @@
 //! that nobody has. A result waits until all before it are there, so whoever receives them sees the
 //! same sequence for any number of threads, and a run that is stopped gives its beginning.
 
-use crate::run::{threads, watch::stop_if};
+use crate::run::{refusal::Refusal, threads, watch::stop_if};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -59,6 +59,25 @@ pub fn run<T: Send>(
             scope.spawn(|_| work());
         }
     });
+}
+
+/// Does all jobs and gives their results in order; `progress` is told the share done.
+///
+/// # Errors
+/// Where it was stopped before the last.
+pub fn all<T: Send>(
+    count: usize,
+    stop: &AtomicBool,
+    job: impl Fn(usize) -> Option<T> + Sync,
+    mut progress: impl FnMut(f64) + Send,
+) -> Result<Vec<T>, Refusal> {
+    let mut all = Vec::with_capacity(count);
+    run((0, count), stop, job, |_, one| {
+        all.push(one);
+        progress(all.len() as f64 / count as f64);
+        ControlFlow::Continue(())
+    });
+    if all.len() < count { Err(Refusal::Cancelled) } else { Ok(all) }
 }
 
 #[cfg(test)]
