@@ -124,7 +124,7 @@ impl MeshError {
         let mut folds = levels.into_iter().zip(witness);
         let first = folds.find_map(|(at, on)| Some((at, on.folded?)));
         let limits = if first.is_some() || own.folded.is_some() {
-            Limits::from_fn(|_| None)
+            Limits::default()
         } else {
             limit(scenario, witness.map(|on| &on.results), levels[1])
         };
@@ -132,14 +132,12 @@ impl MeshError {
         Self {
             errors: against(&limits, &own.results),
             limits,
-            flag: flag.map(|(at, time)| Flag {
-                kind: FlagKind::FinerMeshFolds,
-                message: format!(
-                    "the mesh of level {at} folds at {:.3} ms: the model is near its end",
-                    time * 1e3
-                ),
-                detail: None,
-                time: Some(time),
+            flag: flag.map(|(at, time)| {
+                let ms = time * 1e3;
+                let said = format!(
+                    "the mesh of level {at} folds at {ms:.3} ms: the model is near its end"
+                );
+                Flag::new(FlagKind::FinerMeshFolds, said, Some(time))
             }),
         }
     }
@@ -209,7 +207,7 @@ mod tests {
     use crate::run::quantity::Quantity;
 
     fn on(damage: f64, front: f64) -> OnMesh {
-        let mut results = Results::from_fn(|_| None);
+        let mut results = Results::default();
         results[Quantity::Damage] = Some(damage);
         results[Quantity::ForceFront] = Some(front);
         OnMesh { results, folded: None, elements: 1.0 }

@@ -372,9 +372,9 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let Measured { mut run, mut errors, disagreement, time, total_time } = solved;
     if has(&run.flags, FlagKind::EyeFlat) {
         // Steps and meshes may agree there, but nobody knows whether an eye does.
-        let nothing = Results::from_fn(|_| None);
+        let nothing = Results::default();
         (errors.time_step, errors.mesh) = (nothing, Some(nothing));
-        errors.limits = Some(Limits::from_fn(|_| None));
+        errors.limits = Some(Limits::default());
     }
     let two_runs =
         TwoRuns { worst: errors.time_step.worst_listed(&case.results(&run)), disagreement };

@@ -304,7 +304,7 @@ const RIM_SOURCE: &str = "15 orbits by computed tomography (Arch Facial Plast Su
 fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
     let full = scenario.geometry() == Some(Geometry::Full);
     let orbit = scenario.physiological().filter(|_| full);
-    let orbit = orbit.filter(|model| model.support == Support::Orbit && model.rim.is_measured());
+    let orbit = orbit.filter(|model| model.support == Support::Orbit && model.rim.name() != "Own");
     let Some(model) = orbit else {
         return Vec::new();
     };

@@ -112,7 +112,7 @@ pub trait EyeModel: Debug + Send + Sync {
 }
 
 /// What one run gave and cost.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Run {
     /// What was read off the eye.
     pub readings: Readings,

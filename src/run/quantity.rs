@@ -9,8 +9,8 @@
 //! not have reads as `None`: the pressure where there are no cells, the force of contact where
 //! there is no projectile.
 
+use crate::run::kept::Traces;
 use crate::run::result_trace::{Group, ResultTrace};
-use crate::run::{kept::Traces, places::Monitor};
 use strum::{EnumCount, VariantArray};
 
 /// One scalar result, in the order of every table.
@@ -158,50 +158,42 @@ impl Quantity {
     /// All that is known of it, from the one table.
     #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]
     pub fn row(self) -> Row {
-        use Group::{Energies, Inside, Motion, NodeForces, Projectile, Tissues};
+        use Group::{Energies, Inside, Motion, Projectile, Tissues};
         match self {
             Self::Damage => number("damage_percent", "damage index", "index", "")
                 .leading(Leads::Always)
                 .up_to(1e2),
             Self::ShellGrowth => number("scleral_growth_percent", "wall growth S", "S", "%")
-                .times(1e2)
                 .followed((Motion, 2), |t| &t.shell_growth),
             Self::MeridianGrowth => number("meridian_growth_percent", "width growth M", "M", "%")
-                .times(1e2)
                 .followed((Motion, 3), |t| &t.meridian_growth),
             Self::Energy => number("energy_imparted_j", "energy imparted E", "E", "J")
                 .rounding(1e-16)
                 .traced("work in", "work_j", (Energies, 3), |t| &t.work),
             Self::Apex => number("apex_displacement_mm", "cornea pushed in", "pushed", "mm")
-                .times(1e3)
                 .leading(Leads::Always)
                 .traced("cornea pushed in", "apex_mm", (Motion, 1), |t| &t.apex),
             // Far smoother than those of the shell, and really better.
-            Self::ForceCentre => node_force("peak_force_centre_n", "peak force, centre", "centre")
-                .hanging_with(Family::Alone)
-                .traced("centre", "force_centre_n", (NodeForces, 0), |t| {
-                    &t.force[Monitor::Centre as usize]
-                }),
-            Self::ForceFront => node_force("peak_force_front_n", "peak force, front", "front")
-                .traced("front", "force_front_n", (NodeForces, 1), |t| {
-                    &t.force[Monitor::Front as usize]
-                }),
-            Self::ForceRight => node_force("peak_force_right_n", "peak force, right", "right")
-                .traced("right", "force_right_n", (NodeForces, 2), |t| {
-                    &t.force[Monitor::Right as usize]
-                }),
-            Self::ForceTop => node_force("peak_force_top_n", "peak force, top", "top").traced(
-                "top",
-                "force_top_n",
-                (NodeForces, 3),
-                |t| &t.force[Monitor::Top as usize],
-            ),
+            Self::ForceCentre => Row {
+                family: Family::Alone,
+                ..node_force("peak_force_centre_n", "peak force, centre", "centre", 0, |t| {
+                    &t.force[0]
+                })
+            },
+            Self::ForceFront => {
+                node_force("peak_force_front_n", "peak force, front", "front", 1, |t| &t.force[1])
+            }
+            Self::ForceRight => {
+                node_force("peak_force_right_n", "peak force, right", "right", 2, |t| &t.force[2])
+            }
+            Self::ForceTop => {
+                node_force("peak_force_top_n", "peak force, top", "top", 3, |t| &t.force[3])
+            }
             Self::StoredEnergy => number("peak_stored_energy_j", "stored energy", "stored", "J")
                 .rounding(1e-16)
                 .hanging_with(Family::Unstated)
                 .traced("elastic", "elastic_j", (Energies, 1), |t| &t.elastic),
             Self::Pressure => number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
-                .times(1e-6)
                 .leading(Leads::Always)
                 .traced("pressure", "pressure_mpa", (Inside, 0), |t| &t.pressure),
             Self::Contact => number("peak_contact_force_n", "contact force", "contact", "N")
@@ -210,7 +202,6 @@ impl Quantity {
                 .traced("contact", "contact_force_n", (Projectile, 0), |t| &t.contact_force),
             Self::BackPressure => {
                 number("peak_back_pressure_mpa", "pressure at back", "at back", "MPa")
-                    .times(1e-6)
                     .leading(Leads::Always)
                     .traced("pressure at back", "back_pressure_mpa", (Inside, 2), |t| {
                         &t.back_pressure
@@ -218,48 +209,42 @@ impl Quantity {
             }
             Self::ScleralStress => {
                 number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
-                    .times(1e-6)
                     .leading(Leads::Always)
                     .traced("scleral stress", "scleral_stress_mpa", (Inside, 3), |t| {
                         &t.scleral_stress
                     })
             }
             Self::Shortening => number("shortening_percent", "eye shortened by", "squashed", "%")
-                .times(1e2)
                 .leading(Leads::Always)
                 .traced("shortening", "shortening_percent", (Motion, 4), |t| &t.shortening),
-            Self::Intrusion => number("intrusion_mm", "object goes in", "goes in", "mm")
-                .times(1e3)
-                .traced("intrusion", "intrusion_mm", (Projectile, 5), |t| &t.intrusion),
+            Self::Intrusion => number("intrusion_mm", "object goes in", "goes in", "mm").traced(
+                "intrusion",
+                "intrusion_mm",
+                (Projectile, 5),
+                |t| &t.intrusion,
+            ),
             Self::LensWay => number("lens_displacement_mm", "lens displacement", "lens", "mm")
-                .times(1e3)
                 .traced("lens", "lens_mm", (Motion, 5), |t| &t.lens),
             Self::Rebound => number("rebound_speed_m_s", "rebound speed", "rebound", "m/s"),
             Self::EquatorStretch => {
                 number("equator_stretch_percent", "equator stretch", "stretch", "%")
-                    .times(1e2)
                     .leading(Leads::Watched)
                     .followed((Tissues, 0), |t| &t.tissue[0])
             }
             Self::BackStretch => number("back_stretch_percent", "stretch at back", "back", "%")
-                .times(1e2)
                 .leading(Leads::Watched)
                 .followed((Tissues, 1), |t| &t.tissue[1]),
             Self::EdgeGrowth => number("edge_growth_percent", "retina edge growth", "edge", "%")
-                .times(1e2)
                 .leading(Leads::Watched)
                 .traced("retina's edge", "edge_growth_percent", (Tissues, 2), |t| &t.tissue[2]),
             Self::LensPull => number("lens_pull_mm", "pull on lens", "pull", "mm")
-                .times(1e3)
                 .leading(Leads::Watched)
                 .followed((Tissues, 3), |t| &t.tissue[3]),
             Self::IrisPull => number("iris_pull_mm", "pull on iris", "iris", "mm")
-                .times(1e3)
                 .leading(Leads::Watched)
                 .followed((Tissues, 4), |t| &t.tissue[4]),
             Self::CornealEnergy => {
                 number("corneal_energy_kj_m2", "energy at cornea", "cornea", "kJ/m2")
-                    .times(1e-3)
                     .leading(Leads::Watched)
             }
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
@@ -298,6 +283,17 @@ impl Quantity {
 
 const FORCE_ROUNDING: f64 = 3e-10;
 
+/// Factor from SI to a unit for people.
+pub(crate) const fn factor_to(unit: &str) -> f64 {
+    match unit.as_bytes() {
+        b"%" => 1e2,
+        b"mm" => 1e3,
+        b"MPa" => 1e-6,
+        b"kJ/m2" => 1e-3,
+        _ => 1.0,
+    }
+}
+
 /// A result of the whole motion that does not lead, to be filled in.
 const fn number(
     key: &'static str,
@@ -310,7 +306,7 @@ const fn number(
         label,
         short,
         unit,
-        factor: 1.0,
+        factor: factor_to(unit),
         rounding: 1e-12,
         leads: Leads::Never,
         family: Family::Motion,
@@ -321,10 +317,6 @@ const fn number(
 }
 
 impl Row {
-    const fn times(self, factor: f64) -> Self {
-        Self { factor, ..self }
-    }
-
     const fn rounding(self, rounding: f64) -> Self {
         Self { rounding, ..self }
     }
@@ -361,25 +353,27 @@ impl Row {
     }
 }
 
-/// The force of a node of the shell.
-const fn node_force(key: &'static str, label: &'static str, short: &'static str) -> Row {
+/// The force of a node of the shell, by the place of its [`Monitor`](crate::run::places::Monitor).
+const fn node_force(
+    key: &'static str,
+    label: &'static str,
+    short: &'static str,
+    place: u8,
+    values: fn(&Traces) -> &[f64],
+) -> Row {
+    let (_, column) = key.split_at("peak_".len());
     Row {
         rounding: FORCE_ROUNDING,
         leads: Leads::WithoutProjectile,
         family: Family::ShellForces,
         ..number(key, label, short, "N")
     }
+    .traced(short, column, (Group::NodeForces, place), values)
 }
 
 /// A risk, which what a tissue felt was turned into.
 const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
-    Row {
-        factor: 1e2,
-        whole: Some(1e2),
-        family: Family::Unstated,
-        risk: true,
-        ..number(key, label, short, "%")
-    }
+    Row { whole: Some(1e2), family: Family::Unstated, risk: true, ..number(key, label, short, "%") }
 }
 
 #[cfg(test)]

@@ -33,39 +33,29 @@ impl Raised {
 
     /// Raises a flag of what happened at no certain time.
     pub fn raise(&mut self, kind: FlagKind, message: impl Into<String>) {
-        self.push(kind, message.into(), None);
+        self.0.push(Flag::new(kind, message, None));
     }
 
     /// Raises a flag of what happened at `time`, in s.
     pub fn raise_at(&mut self, time: f64, kind: FlagKind, message: impl Into<String>) {
-        self.push(kind, message.into(), Some(time));
-    }
-
-    fn push(&mut self, kind: FlagKind, message: String, time: Option<f64>) {
-        self.0.push(Flag { kind, message, detail: None, time });
+        self.0.push(Flag::new(kind, message, Some(time)));
     }
 
     fn folded(&mut self, fold: &Fold, element: Element) {
         let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
         let (count, all, what) = (fold.quads, fold.of, element.folded_plural());
-        let length =
-            if fold.stays { "to the end".to_owned() } else { format!("for {lasted:.3} ms") };
-        self.0.push(Flag {
-            kind: FlagKind::MeshFolded,
-            message: format!(
-                "mesh folded at {at:.3} ms, {length}: {count} of {all} {what}; beyond the model's validity"
-            ),
-            detail: Some(format!(
-                "the first {}; folded for {lasted:.3} ms in all, {}",
-                place(fold),
-                if fold.stays {
-                    "and still at the end"
-                } else {
-                    "and open again at the end"
-                }
-            )),
-            time: Some(fold.since),
-        });
+        let (length, end) = if fold.stays {
+            ("to the end".to_owned(), "still at the end")
+        } else {
+            (format!("for {lasted:.3} ms"), "open again at the end")
+        };
+        let message = format!(
+            "mesh folded at {at:.3} ms, {length}: {count} of {all} {what}; beyond the model's validity"
+        );
+        let place = place(fold);
+        let detail = format!("the first {place}; folded for {lasted:.3} ms in all, and {end}");
+        let flag = Flag::new(FlagKind::MeshFolded, message, Some(fold.since));
+        self.0.push(Flag { detail: Some(detail), ..flag });
     }
 
     /// A window that ends before the pulse; both in s.
@@ -156,7 +146,6 @@ fn place(fold: &Fold) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::{plan::Cost, readings::Readings};
     use nalgebra::Point2;
 
     fn fold(x: f64, y: f64, stays: bool) -> Fold {
@@ -214,19 +203,7 @@ mod tests {
     fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
         use FlagKind::{MeshFolded, NotPredictable, Unconverged};
         let kinds = |fold, error, disagreement| -> Vec<FlagKind> {
-            let run = Run {
-                readings: Readings::from_fn(|_| None),
-                details: Vec::new(),
-                flags: Vec::new(),
-                fold,
-                missed: false,
-                energy_residual: 0.0,
-                sectors: None,
-                simulated: 3e-3,
-                traces: None,
-                frames: Vec::new(),
-                cost: Cost::default(),
-            };
+            let run = Run { fold, simulated: 3e-3, ..Run::default() };
             let two_runs = TwoRuns { worst: Some((Quantity::Damage, error)), disagreement };
             let flags = of_motion(&run, Element::Spring, Some(two_runs));
             flags.into_iter().map(|flag| flag.kind).collect()

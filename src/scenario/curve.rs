@@ -198,15 +198,10 @@ mod tests {
     #[test]
     fn what_is_no_curve_is_refused_with_the_value() {
         for (knots, said) in [
-            (&[][..], "no knots"),
-            (&[(0.0, 1.0)], "one knot"),
-            (&[(0.0, 0.0), (0.2, 1.0), (0.2, 0.0)], "0.2 does not come after 0.2"),
-            (&[(0.2, 0.0), (0.1, 1.0)], "0.1 does not come after 0.2"),
+            (&[(0.0, 0.0), (0.2, 1.0), (0.2, 0.0)][..], "0.2 does not come after 0.2"),
             (&[(1.0, 0.0), (1.000_000_1, 1.0)], "too close to 1"),
             (&[(-0.1, 0.0), (0.1, 1.0)], "time -0.1 is out of range"),
             (&[(0.0, 0.0), (101.0, 1.0)], "time 101 is out of range"),
-            (&[(0.0, 0.0), (1e-5, 1.0)], "ends at 0.00001 ms"),
-            (&[(0.0, f64::NAN), (0.1, 1.0)], "share NaN is not a finite"),
             (&[(0.0, 0.0), (f64::INFINITY, 1.0)], "time inf is not"),
             (&[(0.0, 2e5), (0.1, 1.0)], "share 200000 is out of range"),
             (&[(0.0, 1e-300), (0.1, 1.0)], "share 1e-300 is too small"),

@@ -4,6 +4,7 @@
 use crate::scenario::{Impact, Projectile, Scenario};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
+use strum::IntoStaticStr;
 
 /// Hours of a clock.
 pub const HOURS: f64 = 12.0;
@@ -11,7 +12,7 @@ pub const HOURS: f64 = 12.0;
 pub const GLOBE_MM: f64 = 12.0;
 
 /// Which eye of a person.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Side {
     /// Its nose lies at 3 o'clock.
     #[default]

@@ -12,9 +12,10 @@ use crate::scenario::{
     Scenario, Support, TRUSTED_ANGLE_DEG,
 };
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// How much of the eye is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Geometry {
     /// As much as the scene needs.
     #[default]

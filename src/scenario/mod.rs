@@ -47,6 +47,7 @@ pub use crate::scenario::projectile::{
 pub use crate::scenario::rim::{Around, Rim};
 use curve_file::CurveFile;
 use serde::{Deserialize, Deserializer, Serialize};
+use strum::IntoStaticStr;
 
 /// The finest mesh level of any model.
 pub const FINEST_LEVEL: u32 = 8;
@@ -151,7 +152,7 @@ impl Default for Scenario {
 }
 
 /// Which model of the eye, with its materials and forces.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Model {
     /// The mass-spring-damper eye of Sathyanarayanan, Mahadas and Hung (2013): unit depth, drag on
@@ -198,7 +199,7 @@ impl Model {
 }
 
 /// What hits the eye.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Impact {
     /// A force on an arc of the cornea that follows a given pulse in time.
@@ -304,7 +305,7 @@ impl From<WrittenPulse> for ForcePulse {
 }
 
 /// How the force of a pulse rises and falls.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(from = "WrittenShape")]
 pub enum PulseShape {
     /// Constant, with raised-cosine edges.
@@ -415,7 +416,7 @@ impl Default for EyeInput {
 
 /// Which springs have the lens modulus. Files may say `true` for [`Lens::Auto`] and `false` for
 /// [`Lens::Soft`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Lens {
     /// By nodes at level 1, as in the paper, and by area at finer levels.
     #[default]

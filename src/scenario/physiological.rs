@@ -5,6 +5,7 @@
 
 use crate::scenario::{Rim, Side, is_default};
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of
 /// the blow, which an orbit does not.
@@ -107,7 +108,7 @@ impl Default for Physiological {
 }
 
 /// Whose eye.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Species {
     /// Thicknesses of human eyes (Vurgese et al. 2012).
     #[default]
@@ -117,7 +118,7 @@ pub enum Species {
 }
 
 /// What holds the globe.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Support {
     /// Fat in a rigid bony cone, as in the head.
     #[default]

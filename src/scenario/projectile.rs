@@ -5,6 +5,7 @@
 
 use crate::scenario::is_default;
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// An object at a greater angle, in degrees, would fly along the face.
 pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
@@ -119,7 +120,7 @@ impl Default for Projectile {
 }
 
 /// How an object gives way.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum ProjectileStiffness {
     /// It does not give way.
@@ -138,7 +139,7 @@ impl ProjectileStiffness {
 }
 
 /// Shape of an object, with its axis along its path.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Outline {
     /// A ball.
@@ -158,7 +159,7 @@ impl Outline {
 
 /// How the surface of an object gives way: an elastic foundation that stiffens as it is used up.
 /// Its stiffness is the modulus over the radius.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Surface {
     /// It hardly gives way.

@@ -71,9 +71,9 @@ impl Rim {
     pub const SPREAD: Self =
         Self { depth_mm: around(4.2, 3.0, 3.7, 2.6), gap_mm: around(2.1, 1.8, 2.2, 2.3) };
 
-    /// Whether it is one of the measured ones.
-    pub fn is_measured(&self) -> bool {
-        Self::NAMED.iter().any(|(_, rim)| rim == self)
+    /// Whose it is, or `Own` of lengths of one's own.
+    pub fn name(&self) -> &'static str {
+        Self::NAMED.iter().find(|(_, rim)| rim == self).map_or("Own", |(name, _)| name)
     }
 }
 

@@ -19,7 +19,7 @@ use crate::scenario::{Scenario, fields};
 use crate::scenario::{fields::Kind, locate::locate};
 
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
-fn options() -> Options {
+pub(super) fn options() -> Options {
     Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME)
         .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)

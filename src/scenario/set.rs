@@ -150,7 +150,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
         (Some(field), _) => set_field(&mut changed, field, text)?,
         (None, _) => return Err(unknown(scenario, path).into()),
     }
-    doubt::tidy(&mut changed, path);
+    forget_doubts(&mut changed, scenario);
     check_inside(&changed, path)?;
     near_zero_is_zero(&mut changed);
     changed.impact.by_the_clock();
@@ -182,17 +182,14 @@ pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     confirm(scenario, field.path);
 }
 
-/// Paths of the fields that a scenario has.
-fn present(scenario: &Scenario) -> impl Iterator<Item = &'static str> {
-    let has = |field: &&Field| field.text(scenario).is_some();
-    FIELDS.iter().filter(has).map(|field| field.path)
-}
-
-/// Drops the doubts of fields that a scenario `had` and has no longer.
-fn forget_doubts(scenario: &mut Scenario, had: &[&str]) {
-    let now: Vec<&str> = present(scenario).collect();
-    let gone = |path: &str| had.contains(&path) && !now.contains(&path);
-    scenario.doubt.retain(|path, _| !gone(path));
+/// Drops the doubts of fields that the scenario had `before` and has no longer.
+fn forget_doubts(scenario: &mut Scenario, before: &Scenario) {
+    let mut doubt = std::mem::take(&mut scenario.doubt);
+    doubt.retain(|path, _| {
+        let has = |scenario| fields::find(path).is_some_and(|field| field.text(scenario).is_some());
+        has(scenario) || !has(before)
+    });
+    scenario.doubt = doubt;
 }
 
 fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), ScenarioError> {
@@ -206,11 +203,7 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
         Kind::Integers(_, _, _, place) => store((place.get_mut)(scenario), list(text)),
         Kind::Text(_, place) => store((place.get_mut)(scenario), words(text, field.path)?),
         Kind::Choice(choices) => {
-            let had: Vec<&str> = present(scenario).collect();
-            let done =
-                named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name));
-            forget_doubts(scenario, &had);
-            done
+            named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name))
         }
     };
     if done {
