@@ -40,13 +40,11 @@
 //! - [`verify`]: stated errors against references, and the models against experiments;
 //! - reports, the command line and the terminal app, which are no part of the library.
 //!
-//! A new model fills [`EyeModel`](run::model::EyeModel), states its [`Rules`](run::rules::Rules)
-//! and is named in [`models`]; all above asks these two only. A new result is a row of
+//! A new model fills [`EyeModel`](run::model::EyeModel); a new result is a row of
 //! [`Quantity`](run::quantity::Quantity). [`guide`] is what to read besides.
 //!
-//! Sines, logarithms and the like that lead to a result come from the crate `libm`: the C library
-//! of each system rounds them in its own way, and the contact of an object carries such a last bit
-//! far.
+//! Sines, logarithms and the like that lead to a result come from the crate `libm`: each system's C
+//! library rounds them in its own way, and a contact carries such a last bit far.
 //!
 //! Research and education, not diagnosis.
 

@@ -1,9 +1,8 @@
 //! What the inputs that are not known do to the risks: one run for each of them.
 //!
 //! Each uncertain input is moved alone by one standard deviation, to the side on which it matters
-//! more, and log10 of each measure by as much as it then moves more than that of the objects that
-//! the curves were matched with; in quadrature these are the standard deviation of log10 of the
-//! measure. An ensemble draws all inputs together and checks it.
+//! more. By how much more log10 of each measure then moves than it does under the objects that the
+//! curves were matched with, in quadrature, is its standard deviation. An ensemble checks it.
 //!
 //! Left out: inputs that hang together, and curvature over more than one standard deviation.
 
@@ -85,9 +84,7 @@ impl InputQuery {
         stop: &AtomicBool,
         mut progress: impl FnMut(f64) + Send,
     ) -> Result<InputDoubt, Refusal> {
-        let Some(from) = self.measures else {
-            return Ok(InputDoubt::default());
-        };
+        let Some(from) = self.measures else { return Ok(InputDoubt::default()) };
         let inputs: Vec<UncertainInput> = inputs(scenario)
             .into_iter()
             .filter(|input| input.is_run() && (self.meets_bone || !input.is_of_bone()))

@@ -1,7 +1,4 @@
 //! What a reader must know before trusting a result, each by name.
-//!
-//! [`crate::run::raised`] collects them and words those that every model can raise; the rest each
-//! model raises itself.
 
 /// A peak later than this share of the simulated time may still be growing.
 pub(crate) const LATE_PEAK_SHARE: f64 = 0.999;

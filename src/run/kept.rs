@@ -35,18 +35,17 @@ pub struct Spacing {
     pub early_every: f64,
     /// The length of all others, in s.
     pub every: f64,
-    /// Whether instead of that half as many as at first are twice as long as those before, and so
-    /// on: for a run whose end is not known.
+    /// Whether, instead, half as many follow that are twice as long, and so on.
     pub doubles: bool,
 }
 
 impl Spacing {
-    /// All intervals alike, in s.
+    /// All intervals of this length, in s.
     pub fn even(every: f64) -> Self {
         Self { early: 0, early_every: every, every, doubles: false }
     }
 
-    /// So many intervals of this length, in s, at first, half as many twice as long, and so on.
+    /// For a run whose end is not known.
     pub fn doubling(early: u32, every: f64) -> Self {
         Self { early, doubles: true, ..Self::even(every) }
     }
@@ -68,8 +67,7 @@ impl Spacing {
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
-    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye
-    /// of the first step after each thousandth of a window that was asked for.
+    /// Traces: of every step in a section (thinned beyond 100,000), else of about 1000 a window.
     pub traces: bool,
     /// Frames, so far apart.
     pub frames: Option<Spacing>,
@@ -80,16 +78,14 @@ pub struct Keep {
 pub struct Frame {
     /// Time, in s.
     pub time: f64,
-    /// Position of each node of the eye, in m. At the axisymmetric eye those of one half of the
-    /// section, with x along the blow and y the distance from its line.
+    /// Position of each node, in m; at the axisymmetric eye of one half of the section, with x
+    /// along the blow and y the distance from its line.
     pub positions: Vec<Point2<f64>>,
-    /// |m a| of each node of the eye, in N; 0 for the orbit. At the axisymmetric eye m is 75 mg and
-    /// a the mean over 20 us.
+    /// |m a| of each node, in N; at the axisymmetric eye m is 75 mg and a the mean over 20 us.
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.
     pub cells: Vec<f64>,
-    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is
-    /// soft and squeezed.
+    /// Centre of the projectile, in m, where there is one: of what is left of it if it is squeezed.
     pub projectile: Option<Point2<f64>>,
     /// How much it is squeezed along its way, in m.
     pub squeezed: f64,
@@ -164,8 +160,7 @@ traces! {
     dissipated,
     /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
     work,
-    /// Intraocular pressure, Pa; at the axisymmetric eye the mean of the globe through a low pass
-    /// of 20 us.
+    /// Intraocular pressure, Pa: the mean of the globe through a low pass of 20 us.
     pressure,
     /// Pressure at the back of the axisymmetric eye, a mean over 150 us, Pa.
     back_pressure,

@@ -1,13 +1,8 @@
 //! The table of results: one row for each, from which everything that lists results is made.
 //!
-//! Text, JSON, CSV, the comparison, the keys to the next peak, ensembles, sweeps and the reports
-//! of errors iterate [`Quantity::ALL`] and ask the [`Row`]. A new reading is a variant and its row
-//! here, and a line in the table of each model that has it: the compiler asks for the row. What is
-//! made of readings, the index and the risks, has its formula in `answer`.
-//!
-//! "The axisymmetric eye" is the model `Physiological` of a scenario. A result that a scene does
-//! not have reads as `None`: the pressure where there are no cells, the force of contact where
-//! there is no projectile.
+//! A new reading is a variant and its row here, and a line in the table of each model that has it.
+//! What is made of readings, the index and the risks, has its formula in `answer`. A result that a
+//! scene does not have reads as `None`.
 
 use crate::run::kept::Traces;
 use crate::run::result_trace::{Group, ResultTrace};
@@ -20,15 +15,13 @@ pub enum Quantity {
     Damage,
     /// S, growth of the shell's length in the section, %; at the axisymmetric eye of the meridian.
     ShellGrowth,
-    /// M, growth of the vertical diameter, %; at the axisymmetric eye of the largest diameter
-    /// across the blow.
+    /// M, growth of the vertical diameter, or of the largest across the blow, %.
     MeridianGrowth,
     /// E, energy imparted, J.
     Energy,
     /// Displacement of the corneal apex, mm.
     Apex,
-    /// Peak force at the node near the centre of the eye, N; at the axisymmetric eye that of a
-    /// fixed mass of 75 mg with the acceleration there.
+    /// Peak force near the centre of the eye, N; at the axisymmetric eye 75 mg times acceleration.
     ForceCentre,
     /// Peak force at the node of the cornea, N.
     ForceFront,
@@ -36,19 +29,15 @@ pub enum Quantity {
     ForceRight,
     /// Peak force at the node behind 12 o'clock, N.
     ForceTop,
-    /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
-    /// was imparted the tissues held at once, before it went into drag.
+    /// Largest energy stored in the springs at one time, J of the model's depth.
     StoredEnergy,
-    /// Peak intraocular pressure, in megapascals, at the axisymmetric eye: the mean of the globe
-    /// through a low pass of 20 us.
+    /// Peak intraocular pressure, MPa: the mean of the globe through a low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us.
     Contact,
-    /// Peak pressure at the back of the axisymmetric eye, where a sensor sits in experiments, in
-    /// megapascals: a mean over 150 us.
+    /// Peak pressure at the back, where experiments have a sensor, MPa: a mean over 150 us.
     BackPressure,
-    /// Peak tension of the sclera of the axisymmetric eye, in megapascals, through a low pass of 20
-    /// us.
+    /// Peak tension of the sclera, MPa, through a low pass of 20 us.
     ScleralStress,
     /// Largest loss of the eye's length along the blow, in % of it, at the axisymmetric eye.
     Shortening,
@@ -58,9 +47,8 @@ pub enum Quantity {
     LensWay,
     /// Speed of an object back along its path at the end, m/s, at the axisymmetric eye.
     Rebound,
-    /// Largest stretch of the wall along the meridian near the equator of the axisymmetric eye, %,
-    /// between 60 and 120 degrees from the front; this and the next four through a low pass of 20
-    /// us.
+    /// Largest stretch of the wall along the meridian between 60 and 120 degrees from the front, %;
+    /// this and the next four through a low pass of 20 us.
     EquatorStretch,
     /// Mean stretch of its wall along the meridian at the back, %, from 150 degrees on.
     BackStretch,
@@ -68,8 +56,7 @@ pub enum Quantity {
     EdgeGrowth,
     /// How much farther than at rest the lens's equator is from the shell at 62 degrees, mm.
     LensPull,
-    /// How much farther than at rest the lens's equator is from the shell at the root of the iris,
-    /// at 45 degrees, mm.
+    /// The same of the shell at the root of the iris, at 45 degrees, mm.
     IrisPull,
     /// Most energy that the axisymmetric eye is given over the area of the largest contact, kJ/m2.
     CornealEnergy,
@@ -92,11 +79,9 @@ pub enum Quantity {
 pub enum Leads {
     /// In every scene that has the result.
     Always,
-    /// Only where no projectile hits. Where one does, node forces follow every wave and differ from
-    /// mesh to mesh.
+    /// Only where no projectile hits: with one, node forces follow every wave, mesh by mesh.
     WithoutProjectile,
-    /// Nowhere, but its own error is watched: what tissues feel may wander far more than the
-    /// motion.
+    /// Nowhere, but its own error is watched: what tissues feel may wander more than the motion.
     Watched,
     /// Nowhere.
     Never,
@@ -106,15 +91,14 @@ pub enum Leads {
 /// so none is claimed to be much better than the worst of its family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Motion of the whole eye; the axisymmetric model raises the errors of this family together.
+    /// Motion of the whole eye.
     Motion,
-    /// Forces of nodes on the shell, which come from the same waves; the Paper model raises their
-    /// errors together.
+    /// Forces of nodes on the shell, which come from the same waves.
     ShellForces,
     /// Its step error says nothing of any other result's.
     Alone,
-    /// No error is stated of it: a published curve turned another result, or the input, into it, or
-    /// it is looked at at step ends only, so that two runs may share what they miss.
+    /// No error is stated of it: it is made of another result by a published curve, or looked at
+    /// only where steps end, so that two runs may share what they miss.
     Unstated,
 }
 
@@ -131,8 +115,7 @@ pub struct Row {
     pub unit: &'static str,
     /// Factor from the reading in SI to the unit.
     pub factor: f64,
-    /// What rounding does to it, in the unit: a force is the small difference of large ones, which
-    /// leaves some 1e-10 N in an eye at rest.
+    /// What rounding does to it, in the unit.
     pub rounding: f64,
     /// In which scenes the one stated error covers it.
     pub leads: Leads,
@@ -160,9 +143,10 @@ impl Quantity {
     pub fn row(self) -> Row {
         use Group::{Energies, Inside, Motion, Projectile, Tissues};
         match self {
-            Self::Damage => number("damage_percent", "damage index", "index", "")
-                .leading(Leads::Always)
-                .up_to(1e2),
+            Self::Damage => Row {
+                whole: Some(1e2),
+                ..number("damage_percent", "damage index", "index", "").leading(Leads::Always)
+            },
             Self::ShellGrowth => number("scleral_growth_percent", "wall growth S", "S", "%")
                 .followed((Motion, 2), |t| &t.shell_growth),
             Self::MeridianGrowth => number("meridian_growth_percent", "width growth M", "M", "%")
@@ -189,10 +173,12 @@ impl Quantity {
             Self::ForceTop => {
                 node_force("peak_force_top_n", "peak force, top", "top", 3, |t| &t.force[3])
             }
-            Self::StoredEnergy => number("peak_stored_energy_j", "stored energy", "stored", "J")
-                .rounding(1e-16)
-                .hanging_with(Family::Unstated)
-                .traced("elastic", "elastic_j", (Energies, 1), |t| &t.elastic),
+            Self::StoredEnergy => Row {
+                family: Family::Unstated,
+                ..number("peak_stored_energy_j", "stored energy", "stored", "J")
+            }
+            .rounding(1e-16)
+            .traced("elastic", "elastic_j", (Energies, 1), |t| &t.elastic),
             Self::Pressure => number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
                 .leading(Leads::Always)
                 .traced("pressure", "pressure_mpa", (Inside, 0), |t| &t.pressure),
@@ -260,12 +246,12 @@ impl Quantity {
         }
     }
 
-    /// Name with its unit, as in JSON and CSV.
+    /// See [`Row::key`].
     pub fn key(self) -> &'static str {
         self.row().key
     }
 
-    /// Name for people.
+    /// See [`Row::label`].
     pub fn label(self) -> &'static str {
         self.row().label
     }
@@ -281,6 +267,7 @@ impl Quantity {
     }
 }
 
+/// A force is the small difference of large ones: some 1e-10 N are left in an eye at rest.
 const FORCE_ROUNDING: f64 = 3e-10;
 
 /// Factor from SI to a unit for people.
@@ -323,15 +310,6 @@ impl Row {
 
     const fn leading(self, leads: Leads) -> Self {
         Self { leads, ..self }
-    }
-
-    const fn hanging_with(self, family: Family) -> Self {
-        Self { family, ..self }
-    }
-
-    /// On a map its colours go up to `whole`.
-    const fn up_to(self, whole: f64) -> Self {
-        Self { whole: Some(whole), ..self }
     }
 
     /// Over time it has the same name and key, and is looked at there.

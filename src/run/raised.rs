@@ -31,12 +31,12 @@ impl Raised {
         self.0
     }
 
-    /// Raises a flag of what happened at no certain time.
+    /// At no certain time.
     pub fn raise(&mut self, kind: FlagKind, message: impl Into<String>) {
         self.0.push(Flag::new(kind, message, None));
     }
 
-    /// Raises a flag of what happened at `time`, in s.
+    /// At `time`, in s.
     pub fn raise_at(&mut self, time: f64, kind: FlagKind, message: impl Into<String>) {
         self.0.push(Flag::new(kind, message, Some(time)));
     }
@@ -60,12 +60,8 @@ impl Raised {
 
     /// A window that ends before the pulse; both in s.
     pub fn pulse_cut(&mut self, window: f64, pulse: f64) {
-        let lasts = pulse * 1e3;
-        self.raise_at(
-            window,
-            FlagKind::PulseCut,
-            format!("the window ends before the pulse, which lasts {lasts} ms"),
-        );
+        let said = format!("the window ends before the pulse, which lasts {} ms", pulse * 1e3);
+        self.raise_at(window, FlagKind::PulseCut, said);
     }
 
     /// A window, in s, that ends too early for a result, of which it is said how.
@@ -74,8 +70,7 @@ impl Raised {
     }
 }
 
-/// The flags of a motion: whether the mesh folded, the energies add up and, where there was a
-/// second run, the step is short enough.
+/// Whether the mesh folded, energies add up and, with a second run, the step is short enough.
 pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) -> Vec<Flag> {
     let mut raised = Raised::default();
     let split =
@@ -85,28 +80,21 @@ pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) 
         raised.folded(fold, element);
     }
     if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
-        raised.raise_at(
-            fold.since,
-            FlagKind::NotPredictable,
-            format!("two solutions disagree by {disagreement:.0} %: not predictable"),
-        );
+        let said = format!("two solutions disagree by {disagreement:.0} %: not predictable");
+        raised.raise_at(fold.since, FlagKind::NotPredictable, said);
     }
     if run.energy_residual > ENERGY_ALARM {
         let percent = 100.0 * run.energy_residual;
-        raised.raise(
-            FlagKind::EnergyImbalance,
-            format!("the energies miss what came in by {percent:.2} %"),
-        );
+        let said = format!("the energies miss what came in by {percent:.2} %");
+        raised.raise(FlagKind::EnergyImbalance, said);
     }
     // Where two solutions part for good, no step is small enough.
     let runs = two_runs.filter(|_| unpredictable.is_none());
     if let Some((of, error)) = runs.and_then(|runs| runs.worst)
         && (error > UNCONVERGED_PERCENT || error.is_nan())
     {
-        raised.raise(
-            FlagKind::Unconverged,
-            format!("the step error of {} is {error:.0} %, the largest", of.label()),
-        );
+        let said = format!("the step error of {} is {error:.0} %, the largest", of.label());
+        raised.raise(FlagKind::Unconverged, said);
     }
     raised.0
 }

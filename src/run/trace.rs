@@ -1,8 +1,7 @@
 //! What is followed over time: every result that has a trace, and what explains them.
 //!
-//! The force profiles, the sparklines, the overlaid curves of a comparison and the traces as CSV
-//! iterate [`TRACES`]. A result joins them by its [`ResultTrace`] in the table of results; what is
-//! no result, such as the load, is a row here.
+//! A result joins [`TRACES`] by its [`ResultTrace`] in the table of results; what is no result,
+//! such as the load, is a row here.
 
 use crate::run::kept::Traces;
 use crate::run::quantity::{Quantity, factor_to};
@@ -21,7 +20,6 @@ pub enum Trace {
 }
 
 impl Default for Trace {
-    /// The node near the centre of the eye.
     fn default() -> Self {
         Self::Of(Quantity::ForceCentre)
     }

@@ -1,7 +1,7 @@
 //! Where a blow comes from and what it aims at, by the clock as an examiner who faces the patient
 //! sees it: the nose lies at 3 o'clock of a right eye and at 9 of a left one.
 
-use crate::scenario::{Impact, Projectile, Scenario};
+use crate::scenario::{Impact, Projectile, Scenario, plain};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use strum::IntoStaticStr;
@@ -27,8 +27,7 @@ impl Side {
         self.turn(hour * TAU / HOURS)
     }
 
-    /// How far the hand of the clock has turned at an azimuth, or the azimuth at a turn: a left
-    /// eye is the mirror image.
+    /// The turn of the clock's hand at an azimuth, or the reverse: a left eye is the mirror image.
     pub fn turn(self, azimuth: f64) -> f64 {
         match self {
             Self::Right => azimuth,
@@ -52,8 +51,7 @@ impl Side {
     }
 }
 
-/// Of an azimuth and the one opposite that which lies higher, or at the nose where both lie level:
-/// a little below level still counts as level.
+/// Of an azimuth and its opposite that which lies higher, or at the nose where both lie level.
 pub fn upper(azimuth: f64) -> f64 {
     let (up, nose) = (libm::cos(azimuth), libm::sin(azimuth));
     let lower = up < -1e-9 || (up < 1e-9 && nose < 0.0);
@@ -86,9 +84,7 @@ pub fn o_clock(hour: f64) -> String {
 impl Impact {
     /// Turns an angle or offset below 0 to the other side of the clock.
     pub(super) fn by_the_clock(&mut self) {
-        let Self::Projectile(projectile) = self else {
-            return;
-        };
+        let Self::Projectile(projectile) = self else { return };
         let turned = |value: &mut f64, hour: &mut f64| {
             if *value < 0.0 {
                 *value = -*value;
@@ -113,8 +109,7 @@ impl Projectile {
         self.angle_deg == 0.0 && self.offset_mm == 0.0
     }
 
-    /// The front angle of the place on the globe that its path enters at, in degrees;
-    /// none if it goes past.
+    /// The front angle at which its path enters the globe, in degrees; none if it goes past.
     pub fn lands_at_deg(&self) -> Option<f64> {
         let inside = GLOBE_MM * GLOBE_MM - self.offset_mm * self.offset_mm;
         if inside < 0.0 {
@@ -134,18 +129,16 @@ impl Projectile {
 
     /// Where it comes from and what it aims at, in words; none if straight on.
     pub fn direction(&self, side: Side) -> Option<String> {
-        let mut parts = Vec::new();
-        if self.angle_deg != 0.0 {
-            let from = place(side.azimuth(self.angle_clock));
-            let angle = crate::scenario::plain(self.angle_deg);
-            parts.push(format!("from {from} at {angle} deg"));
+        let from = place(side.azimuth(self.angle_clock));
+        let towards = place(side.azimuth(self.offset_clock));
+        let angle = format!("from {from} at {} deg", plain(self.angle_deg));
+        let offset = format!("{} mm towards {towards}", plain(self.offset_mm));
+        match (self.angle_deg == 0.0, self.offset_mm == 0.0) {
+            (true, true) => None,
+            (false, true) => Some(angle),
+            (true, false) => Some(offset),
+            (false, false) => Some(format!("{angle}, {offset}")),
         }
-        if self.offset_mm != 0.0 {
-            let towards = place(side.azimuth(self.offset_clock));
-            let offset = crate::scenario::plain(self.offset_mm);
-            parts.push(format!("{offset} mm towards {towards}"));
-        }
-        (!parts.is_empty()).then(|| parts.join(", "))
     }
 }
 

@@ -1,28 +1,20 @@
 //! How much a person doubts the numbers of a scenario: `300 ± 20`.
 //!
 //! A doubt is one standard deviation of a normal distribution about the value, cut off at the
-//! field's own bounds. It changes no single run; an ensemble draws from it. A doubt of 0 says that
-//! the value is known, which also keeps published spreads away from it. Only numbers that are
-//! always there can be doubted: no choices, whole numbers or optional ones.
-//!
-//! Left out: doubts that hang together. Every input is drawn by itself.
-
-use std::collections::BTreeMap;
-use std::fmt;
-
-use serde::Deserializer;
-use serde::de::{Error, MapAccess, Visitor};
+//! field's own bounds. An ensemble draws from it, each input by itself. A doubt of 0 says that the
+//! value is known, which also keeps published spreads away. Only numbers that are always there can
+//! be doubted: no choices, whole numbers or optional ones.
 
 use crate::plain_text::{MAX_LINES, quoted};
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::{Scenario, fields};
+use serde::Deserializer;
+use serde::de::{Error, MapAccess, Visitor};
+use std::collections::BTreeMap;
+use std::fmt;
 
-/// Reads the doubts of a file, where a second one of a field would silently take the place of the
-/// first.
-///
-/// # Errors
-/// Where a field is given twice, and as the reader.
+/// Reads the doubts of a file and refuses a second one of a field.
 pub(super) fn once<'de, D: Deserializer<'de>>(
     source: D,
 ) -> Result<BTreeMap<String, f64>, D::Error> {
@@ -41,11 +33,10 @@ impl<'de> Visitor<'de> for Once {
     fn visit_map<A: MapAccess<'de>>(self, mut source: A) -> Result<Self::Value, A::Error> {
         let mut doubts = BTreeMap::new();
         while let Some((path, doubt)) = source.next_entry::<String, f64>()? {
-            if doubts.contains_key(&path) {
-                let path = quoted(&path);
-                return Err(A::Error::custom(format!("{path} is given twice")));
+            let said = quoted(&path);
+            if doubts.insert(path, doubt).is_some() {
+                return Err(A::Error::custom(format!("{said} is given twice")));
             }
-            doubts.insert(path, doubt);
         }
         Ok(doubts)
     }
@@ -81,14 +72,10 @@ pub(crate) fn begun(text: &str) -> Option<&str> {
 /// Splits typed text such as `300 +- 20` into its value and its doubt.
 pub(super) fn split(text: &str) -> (&str, Option<&str>) {
     let parts = SIGNS.iter().find_map(|sign| text.split_once(sign));
-    match parts {
-        Some((value, doubt)) => (value.trim(), Some(doubt.trim())),
-        None => (text, None),
-    }
+    parts.map_or((text, None), |(value, doubt)| (value.trim(), Some(doubt.trim())))
 }
 
-/// Takes what was typed after the sign; without a sign the value counts as given, and an older
-/// doubt is dropped.
+/// Takes what was typed after the sign; without a sign an older doubt is dropped.
 pub(super) fn put(
     scenario: &mut Scenario,
     field: &Field,
@@ -98,13 +85,9 @@ pub(super) fn put(
         scenario.doubt.remove(field.path);
         return Ok(());
     };
-    match typed.parse() {
-        Ok(doubt) => {
-            scenario.doubt.insert(field.path.to_owned(), doubt);
-            Ok(())
-        }
-        Err(_) => Err(refused(field, typed, "is not a number").into()),
-    }
+    let doubt = typed.parse().map_err(|_| refused(field, typed, "is not a number"))?;
+    scenario.doubt.insert(field.path.to_owned(), doubt);
+    Ok(())
 }
 
 /// Everything that is wrong with the doubts, in the order of their paths.
@@ -146,9 +129,7 @@ fn check_one(scenario: &Scenario, path: &str, doubt: f64, proposes: bool) -> Opt
 }
 
 fn refused(field: &Field, value: &str, complaint: &str) -> Problem {
-    let Kind::Number(bounds, _) = &field.kind else {
-        return Problem::new(field.path, complaint);
-    };
+    let Kind::Number(bounds, _) = &field.kind else { return Problem::new(field.path, complaint) };
     let allowed = format!("± 0 to {} {}", plain(bounds.max - bounds.min), field.unit);
     let path = format!("doubt.{}", field.path);
     let value = format!("± {value}");

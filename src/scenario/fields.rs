@@ -1,20 +1,17 @@
 //! The one registry of everything in a scenario that can be set.
 //!
-//! Ranges, units, labels and steps stand here and nowhere else; the checks of a file, the command
-//! line's `--set`, forms and sweeps all read this table. A new field is one line in [`FIELDS`]; a
-//! new variant is one line in the table of its enum.
-//!
-//! Left out: rules that join two fields (see `check`) and the reading of typed text (see `set`).
+//! The checks of a file, the command line's `--set`, forms and sweeps all read [`FIELDS`]. Rules
+//! that join two fields are in `check`, the reading of typed text is in `set`.
 
 mod words;
 
 use self::words::Directions;
+use crate::scenario::{FASTEST_M_S, ForcePulse, Geometry, Impact, auto::AUTO, direction::HOURS};
 use crate::scenario::{
-    FASTEST_M_S, ForcePulse, Geometry, Impact, Integrator, Lens, Model, Outline, Physiological,
-    Projectile, ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species, Support, Surface,
-    integrator,
+    Integrator, Lens, Model, Outline, Physiological, integrator, problem::plain,
 };
-use crate::scenario::{auto::AUTO, direction::HOURS, problem::plain};
+use crate::scenario::{Projectile, ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species};
+use crate::scenario::{Support, Surface};
 
 /// Characters that a name may have.
 pub const LONGEST_NAME: usize = 80;
@@ -88,8 +85,8 @@ pub trait Choices {
     }
     /// The present variant; `None` where the scenario has no such field.
     fn get(&self, scenario: &Scenario) -> Option<&'static str>;
-    /// Takes the named variant with its default content, or keeps the present content where it is
-    /// that variant already. `false` if there is no such variant or no such field.
+    /// Takes the named variant with its default content, or keeps that which is there already.
+    /// `false` if there is no such variant or no such field.
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool;
 }
 
@@ -123,14 +120,10 @@ impl<T> Choices for OneOf<T> {
     }
 
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        let Some(value) = (self.place.get_mut)(scenario) else {
-            return false;
-        };
+        let Some(value) = (self.place.get_mut)(scenario) else { return false };
         let named = |value: &T| (self.name)(value) == name;
         if !named(value) {
-            let Some(fresh) = (self.variants)().into_iter().find(named) else {
-                return false;
-            };
+            let Some(fresh) = (self.variants)().into_iter().find(named) else { return false };
             *value = fresh;
         }
         true
@@ -336,9 +329,7 @@ impl Field {
 
     /// The bounds of a number in a scenario: how steep a blow may be hangs on what hits which eye.
     pub fn bounds_in(&self, scenario: &Scenario) -> Option<Bounds> {
-        let (Number(bounds, _) | OptionalNumber(bounds, _)) = &self.kind else {
-            return None;
-        };
+        let (Number(bounds, _) | OptionalNumber(bounds, _)) = &self.kind else { return None };
         if self.path != ANGLE_PATH {
             return Some(*bounds);
         }

@@ -1,24 +1,19 @@
-//! Reading a scenario from a file.
-//!
-//! A file may come from anywhere, so it is read with a limit, only if it is a regular file, and
-//! what it holds reaches a message only escaped.
-
-use std::path::Path;
+//! Reading a scenario from a file, which may come from anywhere.
 
 use crate::plain_text::MAX_LINES;
 use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::{Scenario, text_file};
-use crate::scenario::{locate::locate, ron_text::read, text_file::without_mark};
+use crate::scenario::{
+    Scenario, locate::locate, ron_text::read, text_file, text_file::without_mark,
+};
+use std::path::Path;
 
 pub use crate::scenario::ron_text::to_ron;
 
-/// Reads a scenario from RON text that has no place, so that it can name no file of a curve;
-/// `origin` is what messages call the text.
+/// Reads a scenario from RON text, which can name no file of a curve; messages call it `origin`.
 ///
 /// # Errors
-/// Gives the first problem of syntax or type, or else every value that is out of range, each with
-/// its line and column.
+/// The first problem of syntax or type, or else every value out of range, with line and column.
 pub fn parse(text: &str, origin: &str) -> Result<Scenario, ScenarioError> {
     parse_with_base(text, origin, &PathBase::Nowhere)
 }
@@ -55,10 +50,7 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
     parse_file(&read_text(path)?, path)
 }
 
-/// The text of a scenario file, without looking into it.
-///
-/// # Errors
-/// Says why the file cannot be read: missing, too large, no regular file, not UTF-8.
+/// The text of a scenario file, or why it cannot be read.
 pub(crate) fn read_text(path: &Path) -> Result<String, ScenarioError> {
     text_file::read(path)
         .map_err(|why| Problem::new("", why).of(&path.display().to_string()).into())

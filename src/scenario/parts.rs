@@ -1,9 +1,7 @@
 //! The parts of a scenario that only some variants have.
 
-use crate::scenario::{
-    ForcePulse, Geometry, Impact, Model, Physiological, Projectile, ProjectileStiffness, Scenario,
-    Support, Surface,
-};
+use crate::scenario::{ForcePulse, Geometry, Impact, Model, Physiological, Projectile};
+use crate::scenario::{ProjectileStiffness, Scenario, Support, Surface};
 
 /// Both accessors of what one variant of a part holds, which has the name of the variant.
 macro_rules! variant {

@@ -1,7 +1,4 @@
-//! An object that flies at the eye.
-//!
-//! It is a ball or a flat cylinder, whose own surface may give way, and flies at the Physiological
-//! model.
+//! An object that flies at the eye of the Physiological model.
 
 use crate::scenario::is_default;
 use serde::{Deserialize, Serialize};
@@ -41,12 +38,10 @@ pub struct Projectile {
     /// How its surface gives way.
     #[serde(default, skip_serializing_if = "is_default")]
     pub surface: Surface,
-    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid
-    /// wall.
+    /// Share of its speed that it keeps off a rigid wall, thrown back by its surface and spring.
     #[serde(default = "Projectile::lossless", skip_serializing_if = "Projectile::is_lossless")]
     pub restitution: f64,
-    /// Names of the fields above whose figures come from no source that was checked, as in
-    /// `["speed_m_s"]`. Shown with the results; nothing is computed from it.
+    /// Names of the fields above whose figures come from no source that was checked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unverified: Vec<String>,
 }
@@ -170,16 +165,15 @@ pub enum Surface {
         /// Its modulus.
         modulus_mpa: f64,
     },
-    /// A wall around gas, or foam or cork that crushes: until it is used up it presses no harder
-    /// than its cap and what stops it, half its density times the square of its speed.
+    /// A wall around gas, or foam that crushes: until it is used up it presses no harder than its
+    /// cap and what stops it, half its density times the square of its speed.
     Inflated {
         /// The cap: the gas pressure with what the wall adds, or the stress of collapse.
         kpa: f64,
         /// Modulus at small dents.
         modulus_mpa: f64,
     },
-    /// Liquid in a skin that bursts, or a gel that flows: an `Inflated` one whose own cap is
-    /// nothing.
+    /// Liquid in a skin that bursts, or a gel that flows: `Inflated` without a cap of its own.
     Splashing,
 }
 

@@ -92,11 +92,9 @@ mod tests {
     #[test]
     fn a_file_says_whose_rim_it_is_or_gives_its_lengths() {
         let file = |rim: &str| {
-            let text = format!(
-                "(name: \"x\", model: Physiological(rim: {rim}), impact: Projectile(mass_g: 1, \
-                 diameter_mm: 6, speed_m_s: 9))"
-            );
-            parse(&text, "x.ron")
+            let object = "Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 9)";
+            let model = format!("Physiological(rim: {rim})");
+            parse(&format!("(name: \"x\", model: {model}, impact: {object})"), "x.ron")
         };
         let rim = |scenario: Scenario| scenario.physiological().unwrap().rim;
         let asian = file("EastAsian").unwrap();

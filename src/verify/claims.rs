@@ -5,7 +5,7 @@
 //! an object that goes through the eye. The finest mesh, with which mesh errors and tolerances are
 //! compared, is not the limit itself: it may be off by what fine levels scatter by.
 
-use crate::answer::choose::{Ladder, within_by};
+use crate::answer::choose::{Ladder, within};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::{results::Results, solve::solve};
 use crate::many::statistics::median;
@@ -317,7 +317,7 @@ fn tolerances(scene: &CheckedScenario, reference: u32) -> Result<Option<Vec<Clai
     };
     let mut claim = |percent| {
         let keep = Keep::default();
-        let answered = within_by(&mut ladder, scene, percent, keep, &mut unwatched);
+        let answered = within(&mut ladder, scene, percent, keep, &mut unwatched);
         let refused = matches!(answered, Err(Refusal::ToleranceNotMet { .. }));
         let chosen = if refused { None } else { Some(answered?) };
         let truth = chosen.as_ref().map(|chosen| {

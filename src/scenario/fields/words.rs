@@ -52,9 +52,7 @@ impl Choices for Directions {
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
         let side = scenario.eye_side();
         let same = self.get(scenario) == Some(name);
-        let Some(projectile) = scenario.projectile_mut() else {
-            return false;
-        };
+        let Some(projectile) = scenario.projectile_mut() else { return false };
         if same {
             return true;
         }
@@ -62,9 +60,7 @@ impl Choices for Directions {
             projectile.angle_deg = 0.0;
             return true;
         }
-        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else {
-            return false;
-        };
+        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else { return false };
         projectile.angle_clock = side.hour(*azimuth);
         if projectile.angle_deg == 0.0 {
             projectile.angle_deg = USUAL_DEG;
