@@ -27,9 +27,7 @@ pub fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
         buffered.flush()
     };
     if path.metadata().is_ok_and(|m| !m.is_file()) {
-        if files::are_shut() {
-            return Err(io::Error::other(files::REFUSAL));
-        }
+        files::allowed().map_err(io::Error::other)?;
         return filled(&mut File::create(path)?);
     }
     let target = resolved(path);
@@ -65,9 +63,7 @@ fn folder_of(path: &Path) -> &Path {
 
 /// A temporary file in the folder of `path`, locked while it is written.
 pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
-    if files::are_shut() {
-        return Err(io::Error::other(files::REFUSAL));
-    }
+    files::allowed().map_err(io::Error::other)?;
     let folder = folder_of(path);
     sweep_up(folder);
     let mut builder = tempfile::Builder::new();

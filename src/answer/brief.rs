@@ -108,7 +108,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
     let case = Compiled::new(scenario);
     let promise = case.rules().promise_percent;
     let mut plan = case.plan(scenario)?;
-    let mut answer = solve_by(case, plan, Keep::default(), watch)?;
+    let mut answer = solve_by(case, plan, watch)?;
     let first = answer.errors.time_step.headline();
     let tried = plan.step;
     let good_step = plan.step * shortening(&plan, promise, first);
@@ -119,7 +119,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
                 break;
             }
             plan.step *= next_share(promise, error, plan.integrator.method().order);
-            answer = solve_by(answer.case, plan, Keep::default(), watch)?;
+            answer = solve_by(answer.case, plan, watch)?;
         }
     }
     let ranges: Vec<(f64, f64)> = answer.risks().iter().map(|risk| risk.range).collect();

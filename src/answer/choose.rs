@@ -8,9 +8,7 @@
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::solve::{Answer, solve_by};
 use crate::answer::{compiled::Compiled, results::Results};
-use crate::run::{
-    kept::Keep, quantity::Quantity, refusal::Refusal, rules::next_share, watch::Watch,
-};
+use crate::run::{quantity::Quantity, refusal::Refusal, rules::next_share, watch::Watch};
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 
 /// The finest level that is tried, by levels 6 and 7, so that level 8 can tell whether it is true.
@@ -73,7 +71,6 @@ pub fn within(
     ladder: &mut Ladder,
     scenario: &CheckedScenario,
     percent: f64,
-    keep: Keep,
     watch: Watch,
 ) -> Result<Chosen, Refusal> {
     let mut reasons = Vec::new();
@@ -102,7 +99,7 @@ pub fn within(
             reasons.push(format!(
                 "level {level}: mesh error {mesh_error:.2} %, which leaves {left:.2} % for the step"
             ));
-            let mut answer = meet(&Compiled::new(&at), left, keep, watch, &mut reasons)?;
+            let mut answer = meet(&Compiled::new(&at), left, watch, &mut reasons)?;
             answer.add(mesh);
             return Ok(Chosen {
                 // An answer is two runs of about the same length.
@@ -123,7 +120,6 @@ pub fn within(
 fn meet(
     case: &Compiled,
     percent: f64,
-    keep: Keep,
     watch: Watch,
     reasons: &mut Vec<String>,
 ) -> Result<Answer, Refusal> {
@@ -131,7 +127,7 @@ fn meet(
     let plan = |integrator| case.plan_at(integrator, rule.share);
     if percent >= VERLET_FROM_PERCENT {
         let verlet = plan(Integrator::VelocityVerlet);
-        let answer = solve_by(case.clone(), verlet, keep, watch)?;
+        let answer = solve_by(case.clone(), verlet, watch)?;
         let error = of_damage(&answer.errors.time_step);
         if error <= percent {
             reasons.push(format!(
@@ -145,7 +141,7 @@ fn meet(
     let mut plan = plan(rule.integrator);
     let mut error = f64::INFINITY;
     for _ in 0..MAX_ATTEMPTS {
-        let answer = solve_by(case.clone(), plan, keep, watch)?;
+        let answer = solve_by(case.clone(), plan, watch)?;
         error = of_damage(&answer.errors.time_step);
         if error <= percent {
             reasons.push(format!(
@@ -170,10 +166,7 @@ mod tests {
     fn what_is_answered_is_within_the_tolerance_by_step_and_mesh_and_meshes_are_computed_once() {
         let scenario = CheckedScenario::default();
         let mut ladder = Ladder::default();
-        let mut ask = |percent| {
-            let keep = Keep::default();
-            within(&mut ladder, &scenario, percent, keep, &mut unwatched).unwrap()
-        };
+        let mut ask = |percent| within(&mut ladder, &scenario, percent, &mut unwatched).unwrap();
         let rough = ask(50.0);
         let finer = ask(20.0);
         for (chosen, percent) in [(&rough, 50.0), (&finer, 20.0)] {

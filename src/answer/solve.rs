@@ -284,13 +284,8 @@ fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
 }
 
 /// Answers `case` by exactly `plan`.
-pub(crate) fn solve_by(
-    case: Compiled,
-    plan: Plan,
-    keep: Keep,
-    watch: Watch,
-) -> Result<Answer, Refusal> {
-    let solved = measured(&case, &plan, keep, watch)?;
+pub(crate) fn solve_by(case: Compiled, plan: Plan, watch: Watch) -> Result<Answer, Refusal> {
+    let solved = measured(&case, &plan, Keep::default(), watch)?;
     Ok(finish(case, plan, solved))
 }
 

@@ -32,7 +32,7 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     }
     let mut answer = if let Some(percent) = args.tolerance {
         let ladder = &mut choose::Ladder::default();
-        let chosen = choose::within(ladder, &scenario, percent, Keep::default(), &mut watch)?;
+        let chosen = choose::within(ladder, &scenario, percent, &mut watch)?;
         (scenario, reasons) = (chosen.scenario, chosen.reasons);
         chosen.answer
     } else {

@@ -78,7 +78,13 @@ impl Trace {
     /// For a result without a trace.
     pub fn row(self) -> TraceRow {
         match self {
-            Self::Of(quantity) => of_result(quantity),
+            Self::Of(quantity) => {
+                let row = quantity.row();
+                let Some(ResultTrace { label, column, values, place }) = row.trace else {
+                    panic!("{} has no trace", row.key);
+                };
+                traced(label, column, row.unit, values, place)
+            }
             Self::Other(other) => other.row(),
         }
     }
@@ -96,14 +102,6 @@ impl Trace {
             self.row().label
         }
     }
-}
-
-fn of_result(quantity: Quantity) -> TraceRow {
-    let row = quantity.row();
-    let Some(ResultTrace { label, column, values, place }) = row.trace else {
-        panic!("{} has no trace", row.key);
-    };
-    traced(label, column, row.unit, values, place)
 }
 
 /// Whether a projectile drives the eye.

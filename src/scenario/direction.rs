@@ -190,23 +190,21 @@ mod tests {
     #[test]
     fn a_word_sets_the_hour_of_its_side_and_keeps_an_angle_that_is_there() {
         let mut scenario = Scenario::of(Impact::Projectile(Projectile::default()));
-        set(&mut scenario, "model.eye_side", "Left").unwrap();
-        set(&mut scenario, "impact.from", "Temple").unwrap();
-        let of = |scenario: &Scenario| {
-            let object = scenario.projectile().unwrap();
-            (object.angle_deg, object.angle_clock)
-        };
-        assert_eq!(of(&scenario), (30.0, 3.0));
-        set(&mut scenario, "impact.angle_deg", "12").unwrap();
-        set(&mut scenario, "impact.from", "Below").unwrap();
-        assert_eq!(of(&scenario), (12.0, 6.0));
         let from = crate::scenario::fields::find("impact.from").unwrap();
-        assert_eq!(from.text(&scenario).as_deref(), Some("Below"));
-        set(&mut scenario, "impact.from", "nasal").unwrap();
-        assert_eq!(of(&scenario), (12.0, 9.0));
+        set(&mut scenario, "model.eye_side", "Left").unwrap();
+        for (path, text, angle, hour, word) in [
+            ("impact.from", "Temple", 30.0, 3.0, "Temple"),
+            ("impact.angle_deg", "12", 12.0, 3.0, "Temple"),
+            ("impact.from", "Below", 12.0, 6.0, "Below"),
+            ("impact.from", "nasal", 12.0, 9.0, "Nose"),
+            ("impact.from", "StraightOn", 0.0, 9.0, "StraightOn"),
+        ] {
+            set(&mut scenario, path, text).unwrap();
+            let object = scenario.projectile().unwrap();
+            assert_eq!((object.angle_deg, object.angle_clock), (angle, hour), "{text}");
+            assert_eq!(from.text(&scenario).as_deref(), Some(word));
+        }
         let left = set(&mut scenario, "impact.from", "left").unwrap_err();
         assert!(left.to_string().contains("the nose or the temple"), "{left}");
-        set(&mut scenario, "impact.from", "StraightOn").unwrap();
-        assert_eq!(of(&scenario).0, 0.0);
     }
 }

@@ -192,10 +192,6 @@ const ANGLE: Place<f64> = Place {
     },
 };
 
-const PULSE_EDGE: Place<f64> = of_variant!(
-    pulse, pulse_mut, shape, edge_fraction in PulseShape::SmoothRectangle { edge_fraction }
-);
-
 const SHAPES: OneOf<PulseShape> = OneOf {
     written: &["Table([(t_ms, share), ...])", "Csv(\"file.csv\")"],
     ..one_of(
@@ -285,7 +281,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.restitution", "Restitution", "", "Share of its speed that it keeps off a rigid wall", Number(b(0.0, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),
     field("impact.half_width_deg", "Half width", "deg", "Half of the arc that the force acts on", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
     field("impact.shape", "Pulse shape", "", "How the force rises and falls", Choice(&SHAPES)),
-    field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), PULSE_EDGE)),
+    field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), of_variant!(pulse, pulse_mut, shape, edge_fraction in PulseShape::SmoothRectangle { edge_fraction }))),
     field("window_ms", "Simulated time", "ms", "How long to watch from the first contact on; auto until it is over", OptionalNumber(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", "A finer mesh is slower and off by less", Integer(1, 8, at!(eye.level))),
     field("eye.opening_deg", "Orbit opening", "deg", "Angle from the front at which bone begins", Number(b(1.0, 120.0, 1.0, 10.0), of_section!(opening_deg))),

@@ -10,9 +10,7 @@ pub const LIMIT: u64 = 256 * 1024;
 
 /// The text of a file, or why it cannot be read: missing, too large, not regular, not UTF-8.
 pub(super) fn read(path: &Path) -> Result<String, String> {
-    if files::are_shut() {
-        return Err(files::REFUSAL.to_owned());
-    }
+    files::allowed()?;
     // Opening a pipe would wait for somebody to write to it, so its kind is asked for first.
     let kind = fs::metadata(path).map_err(reason)?;
     if kind.is_dir() {

@@ -316,8 +316,7 @@ fn tolerances(scene: &CheckedScenario, reference: u32) -> Result<Option<Vec<Clai
         return Ok(None);
     };
     let mut claim = |percent| {
-        let keep = Keep::default();
-        let answered = within(&mut ladder, scene, percent, keep, &mut unwatched);
+        let answered = within(&mut ladder, scene, percent, &mut unwatched);
         let refused = matches!(answered, Err(Refusal::ToleranceNotMet { .. }));
         let chosen = if refused { None } else { Some(answered?) };
         let truth = chosen.as_ref().map(|chosen| {

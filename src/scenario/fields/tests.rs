@@ -36,12 +36,14 @@ fn every_path_is_there_once_and_readable_in_some_scenario() {
 fn a_choice_keeps_what_it_already_is_and_starts_a_new_variant_from_its_default() {
     let mut scenario = Scenario::default();
     let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else { panic!() };
-    *(PULSE_EDGE.get_mut)(&mut scenario).unwrap() = 0.3;
-    assert!(shape.set(&mut scenario, "SmoothRectangle"));
-    assert_eq!((PULSE_EDGE.get)(&scenario), Some(&0.3));
+    let of = |scenario: &Scenario| scenario.pulse().unwrap().shape.clone();
+    let own = PulseShape::SmoothRectangle { edge_fraction: 0.3 };
+    scenario.pulse_mut().unwrap().shape = own.clone();
+    assert!(shape.set(&mut scenario, "SmoothRectangle") && of(&scenario) == own);
     assert!(shape.set(&mut scenario, "Triangle"));
     assert_eq!(shape.get(&scenario), Some("Triangle"));
-    assert_eq!((PULSE_EDGE.get)(&scenario), None);
+    assert!(shape.set(&mut scenario, "SmoothRectangle"));
+    assert_eq!(of(&scenario), PulseShape::default());
     assert!(!shape.set(&mut scenario, "Square"));
 }
 
