@@ -31,13 +31,13 @@ pub enum Quantity {
     ForceTop,
     /// Largest energy stored in the springs at one time, J of the model's depth.
     StoredEnergy,
-    /// Peak intraocular pressure, MPa: the mean of the globe through a low pass of 20 us.
+    /// Peak intraocular pressure, in megapascals: the mean of the globe, low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us.
     Contact,
-    /// Peak pressure at the back, where experiments have a sensor, MPa: a mean over 150 us.
+    /// Peak pressure at the back, at the sensor of experiments, in megapascals: mean over 150 us.
     BackPressure,
-    /// Peak tension of the sclera, MPa, through a low pass of 20 us.
+    /// Peak tension of the sclera, in megapascals, through a low pass of 20 us.
     ScleralStress,
     /// Largest loss of the eye's length along the blow, in % of it, at the axisymmetric eye.
     Shortening,

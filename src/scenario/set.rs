@@ -206,13 +206,13 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     }
     let allowed = field.allowed_in(scenario);
     let complaint = match &field.kind {
-        Kind::Choice(choices) => match choices.unclear(text) {
-            Some(why) => why,
-            None => {
+        Kind::Choice(choices) => {
+            let Some(why) = choices.unclear(text) else {
                 let names = choices.names().into_iter();
                 return Err(unknown_name(field.path, text, names, allowed).into());
-            }
-        },
+            };
+            why
+        }
         Kind::Number(..) | Kind::OptionalNumber(..) if text.contains(',') => {
             "is not a number (decimals follow a point, not a comma)"
         }
