@@ -27,7 +27,8 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
         )));
     }
     let mut answer = if let Some(percent) = args.tolerance {
-        let chosen = choose::within(&scenario, percent, Keep::default(), &mut watch)?;
+        let ladder = &mut choose::Ladder::default();
+        let chosen = choose::within(ladder, &scenario, percent, &mut watch)?;
         (scenario, reasons) = (chosen.scenario, chosen.reasons);
         chosen.answer
     } else {

@@ -1,8 +1,7 @@
 //! Numbered jobs on all cores whose results come in their order.
 //!
-//! Each thread of the present pool, or the calling one where none can start, takes the next number
-//! that nobody has. A result waits until all before it are there, so whoever receives them sees the
-//! same sequence for any number of threads, and a run that is stopped gives its beginning.
+//! Each thread takes the next number that nobody has. A result waits until all before it are there,
+//! so the sequence is the same for any number of threads, and a stopped run gives its beginning.
 
 use crate::run::{refusal::Refusal, threads, watch::stop_if};
 use std::collections::BTreeMap;
@@ -21,8 +20,8 @@ struct Desk<T, D> {
     deliver: D,
 }
 
-/// Does jobs `from..to`; `deliver` is given each number and result in order and may stop the rest,
-/// and so may `stop`. A job that gives nothing has been stopped.
+/// Does jobs `from..to`; `deliver` is given each number and result in order. It may stop the rest,
+/// as may `stop`; a job that gives nothing has been stopped.
 pub fn run<T: Send>(
     (from, to): (usize, usize),
     stop: &AtomicBool,
@@ -90,13 +89,11 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let (mut seen, stop) = (Vec::new(), AtomicBool::new(false));
             pool.build().unwrap().install(|| {
-                let slow_first =
-                    |i: usize| {
-                        std::thread::sleep(std::time::Duration::from_micros(
-                            if i.is_multiple_of(3) { 500 } else { 1 },
-                        ));
-                        Some(i * i)
-                    };
+                let slow_first = |i: usize| {
+                    let pause = if i.is_multiple_of(3) { 500 } else { 1 };
+                    std::thread::sleep(std::time::Duration::from_micros(pause));
+                    Some(i * i)
+                };
                 run((3, 100), &stop, slow_first, |i, square| {
                     assert_eq!(square, i * i);
                     seen.push(i);

@@ -5,10 +5,9 @@
 //! an object that goes through the eye. The finest mesh, with which mesh errors and tolerances are
 //! compared, is not the limit itself: it may be off by what fine levels scatter by.
 
-use crate::answer::{
-    choose::Ladder, choose::within_by, mesh_error::MeshError, mesh_error::at_level,
-};
-use crate::answer::{mesh_error::OnMesh, mesh_error::witnesses, results::Results, solve::solve};
+use crate::answer::choose::{Ladder, within};
+use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
+use crate::answer::{results::Results, solve::solve};
 use crate::many::statistics::median;
 use crate::run::watch::unwatched;
 use crate::run::{flags::FlagKind, kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal};
@@ -284,8 +283,7 @@ fn tolerances(scene: &Scenario, reference: u32) -> Claims {
     let damage = reference.results[Quantity::Damage];
     let Some(exact) = damage.filter(|_| reference.folded.is_none()) else { return Ok(None) };
     let mut claim = |percent| {
-        let keep = Keep::default();
-        let answered = within_by(&mut ladder, scene, percent, keep, &mut unwatched);
+        let answered = within(&mut ladder, scene, percent, &mut unwatched);
         let refused = matches!(answered, Err(Refusal::ToleranceNotMet { .. }));
         let chosen = if refused { None } else { Some(answered?) };
         let truth = chosen.as_ref().map(|chosen| {

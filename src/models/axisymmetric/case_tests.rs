@@ -280,15 +280,14 @@ fn what_bone_or_the_cup_keeps_off_the_eye_does_nothing_and_is_said_to() {
 
 #[test]
 fn a_tolerance_chooses_level_and_step_or_says_why_it_cannot() {
-    use crate::answer::choose::within;
+    use crate::answer::choose::{Ladder, within};
     let checked = short().check().unwrap();
-    let keep = Keep::default();
-    let chosen = within(&checked, 60.0, keep, &mut unwatched).unwrap();
+    let chosen = within(&mut Ladder::default(), &checked, 60.0, &mut unwatched).unwrap();
     let of = Quantity::Damage;
     let step = chosen.answer.errors.time_step[of].unwrap();
     let mesh = chosen.answer.errors.mesh.unwrap()[of].unwrap();
     assert!(step + mesh <= 60.0 && !chosen.reasons.is_empty());
-    let refused = within(&checked, 0.01, keep, &mut unwatched).unwrap_err();
+    let refused = within(&mut Ladder::default(), &checked, 0.01, &mut unwatched).unwrap_err();
     assert!(refused.to_string().contains("levels 1 to 5"), "{refused}");
 }
 
