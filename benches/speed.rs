@@ -7,14 +7,10 @@ use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::solve;
 use contrecoup::many::statistics::median;
 use contrecoup::models::paper::case::PaperCase;
-use contrecoup::models::paper::forces::kernel::{
-    Survey, name as kernel_name, vector_sets, vectors_name,
-};
+use contrecoup::models::paper::forces::kernel::{name as kernel_name, vector_sets, vectors_name};
 use contrecoup::models::paper::forces::plain::Plain;
 use contrecoup::models::paper::forces::state::State;
-use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::models::pulse::Piece;
+use contrecoup::models::paper::time::march::march;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::model::EyeModel;
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -24,6 +20,7 @@ use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
 use rayon::prelude::*;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use std::process::Command;
 use std::sync::Arc;
 use std::time::Instant;
@@ -36,13 +33,6 @@ const ROUNDS: (usize, usize, usize, usize) = (200, 15, 30, 7);
 const SHARE: f64 = 0.9;
 /// Shares of the two runs of an answer.
 const SHARES: [f64; 2] = [0.95, 0.8];
-
-struct Nobody;
-
-impl Observer for Nobody {
-    fn begin(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
-    fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
-}
 
 /// What was measured, its ratio, and the least and the most it should be.
 #[derive(Default)]
@@ -102,7 +92,7 @@ fn case(level: u32, whole: bool, portable: bool) -> PaperCase {
 }
 
 fn plain(case: &PaperCase) -> Plain {
-    Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load)
+    Plain::new(&case.eye, case.system.pulse.clone(), &case.load)
 }
 
 fn plan(case: &PaperCase, integrator: Integrator, share: f64) -> Plan {
@@ -126,7 +116,7 @@ fn evaluation_times<const N: usize>(cases: &[&PaperCase], window: f64, rounds: u
             let plan = Plan { window, ..plan(case, Integrator::Srkn6b, SHARE) };
             let mut state = State::at_rest(&case.system);
             times.time(i, || {
-                let cost = march(&case.system, &plan, &mut state, &mut Nobody);
+                let cost = march(&case.system, &plan, &mut state, |_| ControlFlow::Continue(()));
                 counts[i] = cost.map_or(0, |c| c.evaluations);
             });
         }
@@ -159,7 +149,7 @@ fn evaluations(targets: &mut Targets) {
         let rounds = if level == 1 { ROUNDS.0 } else { ROUNDS.1 };
         let times = evaluation_times::<4>(&cases, 2e-4 / f64::from(level), rounds);
         each.push(std::array::from_fn::<f64, 3, _>(|i| {
-            let springs = cases[i].system.springs_per_evaluation();
+            let springs = cases[i].system.springs_per_evaluation;
             print(level, forms[i].0, times[i], springs, times[3])
         }));
         let springs = plain(cases[0]).springs();
@@ -173,7 +163,7 @@ fn evaluations(targets: &mut Targets) {
         let times = evaluation_times::<3>(&[&forms[0], &forms[1]], 2e-4, ROUNDS.0);
         let name = vectors_name(level);
         for (i, form) in ["whole", "whole, portable"].iter().enumerate() {
-            let springs = forms[i].system.springs_per_evaluation();
+            let springs = forms[i].system.springs_per_evaluation;
             print(1, &format!("{name}, {form}"), times[i], springs, times[2]);
         }
         let narrow = matches!(name.as_str(), "sse2" | "neon");

@@ -38,7 +38,7 @@ pub(crate) fn of(case: &PaperCase) -> Drawing {
             .filter(|(a, _)| loaded(**a))
             .map(|(&a, &b)| (a, if loaded(b) { b } else { a }))
             .collect(),
-        loaded_until: case.system.load().pulse.duration(),
+        loaded_until: case.system.pulse.duration(),
         cells: (eye.quads.iter().enumerate())
             .map(|(of, &corners)| DrawnCell { corners, of })
             .collect(),

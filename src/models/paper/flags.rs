@@ -11,7 +11,7 @@ pub(super) const NEGLIGIBLE: f64 = 1e-9;
 
 /// Flags of a run.
 pub(crate) fn raise(case: &PaperCase, extremes: &PaperExtremes) -> Vec<Flag> {
-    let (window, pulse) = (case.window, case.system.load().pulse.duration());
+    let (window, pulse) = (case.window, case.system.pulse.duration());
     // The angle from one node of the shell to the next, in radians.
     let spacing = std::f64::consts::TAU / case.eye.landmarks.shell.len() as f64;
     let mut raised = Raised::default();

@@ -26,8 +26,10 @@ pub(crate) fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
     p.perp(&q)
 }
 
-/// Depth of the section, in m.
-const UNIT_DEPTH_M: f64 = 1.0;
+/// Twice the signed area of a quad: the cross product of its diagonals.
+pub(crate) fn crossed([a, b, c, d]: [Point2<f64>; 4]) -> f64 {
+    (c - a).perp(&(d - b))
+}
 
 /// The eye at rest: a mesh of nodes joined by springs, with the places that results refer to.
 #[derive(Debug, Clone, PartialEq)]

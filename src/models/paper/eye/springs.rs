@@ -114,8 +114,7 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
             Spring {
                 a,
                 b,
-                stiffness: modulus_pa * crate::models::paper::eye::UNIT_DEPTH_M * areas.whole
-                    / (rest_length * rest_length),
+                stiffness: modulus_pa * areas.whole / (rest_length * rest_length),
                 rest_length,
                 kind,
             }

@@ -14,7 +14,8 @@
 )]
 
 use crate::models::paper::forces::lanes::{
-    Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
+    Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store_pair,
+    zeros,
 };
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SpringGroup, SurveyGroup};
 use crate::models::paper::forces::{state::State, system::System};
@@ -28,10 +29,15 @@ pub(crate) struct Nodes<'a, S: Simd> {
     pub lane: usize,
     pub group: &'a SpringGroup,
     pub position: Pair<S>,
-    pub vx: &'a mut [f64],
-    pub vy: &'a mut [f64],
-    pub ax: &'a mut [f64],
-    pub ay: &'a mut [f64],
+    pub velocity: (&'a mut [f64], &'a mut [f64]),
+    pub acceleration: (&'a mut [f64], &'a mut [f64]),
+}
+
+impl<S: Simd> Nodes<'_, S> {
+    #[inline(always)]
+    pub fn speeds(&self) -> Pair<S> {
+        load_pair(self.simd, (&*self.velocity.0, &*self.velocity.1), 0)
+    }
 }
 
 /// What a sweep does with the force on some nodes; returns their new positions.
@@ -54,30 +60,30 @@ unsafe fn part(run: &[f64], at: usize, len: usize) -> &[f64] {
     unsafe { run.get_unchecked(at..at + len) }
 }
 
-/// [`part`] of a run that may be written.
-///
-/// # Safety
-/// As [`part`].
-#[inline(always)]
-unsafe fn part_mut(run: &mut [f64], at: usize, len: usize) -> &mut [f64] {
-    debug_assert!(at + len <= run.len());
-    // SAFETY: as asked of the caller.
-    unsafe { run.get_unchecked_mut(at..at + len) }
-}
-
-/// What a [`Quartet`] reads.
+/// [`part`] of two runs.
 ///
 /// # Safety
 /// As [`part`], for either.
 #[inline(always)]
-unsafe fn around<'a>(
-    x: &'a [f64],
-    y: &'a [f64],
-    slot: u32,
-    reach: usize,
-) -> (&'a [f64], &'a [f64]) {
+unsafe fn parts<'a>(x: &'a [f64], y: &'a [f64], at: usize, len: usize) -> (&'a [f64], &'a [f64]) {
     // SAFETY: as asked of the caller.
-    unsafe { (part(x, slot as usize, reach), part(y, slot as usize, reach)) }
+    unsafe { (part(x, at, len), part(y, at, len)) }
+}
+
+/// [`parts`] that may be written.
+///
+/// # Safety
+/// As [`part`], for either.
+#[inline(always)]
+unsafe fn parts_mut<'a>(
+    x: &'a mut [f64],
+    y: &'a mut [f64],
+    at: usize,
+    len: usize,
+) -> (&'a mut [f64], &'a mut [f64]) {
+    debug_assert!(at + len <= x.len() && at + len <= y.len());
+    // SAFETY: as asked of the caller.
+    unsafe { (x.get_unchecked_mut(at..at + len), y.get_unchecked_mut(at..at + len)) }
 }
 
 /// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`,
@@ -96,14 +102,14 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     std::hint::black_box(&mut Line([0; 64]));
     let width = V::<S>::LEN;
     let shortest = splat(simd, system.shortest_squared);
-    let State { x, y, vx, vy, ax, ay, scratch, .. } = state;
+    let State { position, velocity, acceleration, scratch, .. } = state;
     // Borrowed once, all of one length: a bound checked for one is checked for all.
-    let len = x.len();
-    let (x, y): (&mut [f64], &mut [f64]) = (&mut x[..len], &mut y[..len]);
-    let (vx, vy): (&mut [f64], &mut [f64]) = (&mut vx[..len], &mut vy[..len]);
-    let (ax, ay): (&mut [f64], &mut [f64]) = (&mut ax[..len], &mut ay[..len]);
-    let (extra_x, extra_y) = (&scratch.extra_x[..len], &scratch.extra_y[..len]);
-    let (up_x, up_y) = (&mut scratch.up_x[..len], &mut scratch.up_y[..len]);
+    let len = position.x.len();
+    let (x, y) = (&mut position.x[..len], &mut position.y[..len]);
+    let (vx, vy) = (&mut velocity.x[..len], &mut velocity.y[..len]);
+    let (ax, ay) = (&mut acceleration.x[..len], &mut acceleration.y[..len]);
+    let (extra_x, extra_y) = (&scratch.extra.x[..len], &scratch.extra.y[..len]);
+    let (up_x, up_y) = (&mut scratch.up.x[..len], &mut scratch.up.y[..len]);
     let groups = &system.groups[..=system.active.last / LANES];
     let reach = stride + 1 + width;
     assert!(system.active.last + reach <= len, "a vector beyond the mesh");
@@ -116,13 +122,13 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     };
     // One vector ahead, so that its roots are under way while the forces of this one are summed.
     // SAFETY: no slot is beyond `active.last`, of which `reach` values have been found to be there.
-    let ahead = unsafe { around(x, y, *first, reach) };
+    let ahead = unsafe { parts(x, y, *first as usize, reach) };
     let mut next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
     for (&o, &following) in system.active.slots.iter().zip(others) {
         let o = o as usize;
         let now = next;
         // SAFETY: as above.
-        let ahead = unsafe { around(x, y, following, reach) };
+        let ahead = unsafe { parts(x, y, following as usize, reach) };
         next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
         if o != after_last {
             // Between the two lies nothing that moves.
@@ -157,34 +163,31 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         // SAFETY: of every run here `reach` values are there from `o` on, and `stride + width` are
         // fewer.
         let (above, extra, nodes) = unsafe {
-            let reach = stride + width;
-            let above = (part_mut(up_x, o, reach), part_mut(up_y, o, reach));
-            let extra = (part(extra_x, o, width), part(extra_y, o, width));
             let nodes = Nodes {
                 simd,
                 lane,
                 group,
-                position: load_pair(simd, part(x, o, width), part(y, o, width), 0),
-                vx: part_mut(vx, o, width),
-                vy: part_mut(vy, o, width),
-                ax: part_mut(ax, o, width),
-                ay: part_mut(ay, o, width),
+                position: load_pair(simd, parts(x, y, o, width), 0),
+                velocity: parts_mut(vx, vy, o, width),
+                acceleration: parts_mut(ax, ay, o, width),
             };
-            (above, load_pair(simd, extra.0, extra.1, 0), nodes)
+            let extra = load_pair(simd, parts(extra_x, extra_y, o, width), 0);
+            (parts_mut(up_x, up_y, o, stride + width), extra, nodes)
         };
-        let below = load_pair(simd, above.0, above.1, 0);
+        let below = load_pair(simd, (above.0, above.1), 0);
         let force = (
             ((to_right.0 + to_above.0) + (to_corner.0 - from_left.0)) + (below.0 + extra.0),
             ((to_right.1 + to_above.1) + (to_corner.1 - from_left.1)) + (below.1 + extra.1),
         );
-        store::<S>(above.0, stride, (from_above.0 - to_above.0) - from_corner.0);
-        store::<S>(above.1, stride, (from_above.1 - to_above.1) - from_corner.1);
+        let onto_above = (
+            (from_above.0 - to_above.0) - from_corner.0,
+            (from_above.1 - to_above.1) - from_corner.1,
+        );
+        store_pair::<S>(above, stride, onto_above);
         let moved = update.nodes(nodes, force);
         if MOVE {
             // SAFETY: as above.
-            let (x, y) = unsafe { (part_mut(x, o, width), part_mut(y, o, width)) };
-            store::<S>(x, 0, moved.0);
-            store::<S>(y, 0, moved.1);
+            store_pair::<S>(unsafe { parts_mut(x, y, o, width) }, 0, moved);
         }
     }
 }
@@ -205,22 +208,13 @@ impl<S: Simd> Quartet<S> {
     ) -> Self {
         let reach = stride + 1 + V::<S>::LEN;
         let (x, y) = (&x[..reach], &y[..reach]);
-        let here = load_pair(simd, x, y, 0);
-        let right = load_pair(simd, x, y, 1);
-        let above = load_pair(simd, x, y, stride);
-        let above_right = load_pair(simd, x, y, stride + 1);
-        let springs = [
-            Springs::<S>::new::<QUICK>(here, right, shortest_squared),
-            Springs::<S>::new::<QUICK>(here, above, shortest_squared),
-            Springs::<S>::new::<QUICK>(here, above_right, shortest_squared),
-            Springs::<S>::new::<QUICK>(above, right, shortest_squared),
-        ];
-        let inverse = [
-            inverse_root_of::<S, QUICK>(simd, 0, springs[0].square),
-            inverse_root_of::<S, QUICK>(simd, 1, springs[1].square),
-            inverse_root_of::<S, QUICK>(simd, 2, springs[2].square),
-            inverse_root_of::<S, QUICK>(simd, 3, springs[3].square),
-        ];
+        let [here, right, above, above_right] =
+            [0, 1, stride, stride + 1].map(|at| load_pair(simd, (x, y), at));
+        let ends = [(here, right), (here, above), (here, above_right), (above, right)];
+        let springs = ends.map(|(a, b)| Springs::<S>::new::<QUICK>(a, b, shortest_squared));
+        let inverse = std::array::from_fn(|direction| {
+            inverse_root_of::<S, QUICK>(simd, direction, springs[direction].square)
+        });
         Self { springs, inverse }
     }
 
@@ -242,7 +236,8 @@ impl<S: Simd> Quartet<S> {
         }
         // The signed area of a quad is half the cross product of its diagonals.
         let [.., rising, falling] = &self.springs;
-        let cross = fused::<S, QUICK>(rising.dy, falling.dx, -(rising.dx * falling.dy));
+        let (rising, falling) = (rising.span, falling.span);
+        let cross = fused::<S, QUICK>(rising.1, falling.0, -(rising.0 * falling.1));
         let inverse = load(simd, &group.inverse_area, lane);
         let ratio = fused::<S, QUICK>(cross, inverse, load(simd, &group.no_quad, lane));
         sums.quad_ratio = sums.quad_ratio.min(ratio);

@@ -12,29 +12,20 @@
 //! below it is a ghost that mirrors the row above; each node then stands for itself and its image,
 //! which the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
-use crate::models::paper::eye::{Eye, frequency, springs::SpringKind};
+use crate::models::paper::eye::{Eye, crossed, frequency, springs::SpringKind};
 use crate::models::paper::forces::layout::{
     Active, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
 };
-use crate::models::paper::forces::{aligned::Aligned, lanes};
+use crate::models::paper::forces::{aligned::Pairs, lanes};
 use crate::models::paper::forces::{load::ArcLoad, ring, ring::Ring};
 use crate::models::pulse::Pulse;
 use fearless_simd::{Level, dispatch};
+use nalgebra::Vector2;
+use std::ops::Range;
 
 /// A spring shorter than this share of the shortest rest length is treated as that long, so that
 /// its direction stays defined: the force is continuous and no NaN can arise.
 const SHORTEST_SHARE: f64 = 1e-6;
-
-/// The load as the kernel applies it.
-#[derive(Debug, Clone)]
-pub struct NodeLoad {
-    /// Force against time.
-    pub pulse: Pulse,
-    /// Slot, share along x, share along y.
-    pub(crate) shares: Vec<(usize, f64, f64)>,
-    /// Slot, weight along x, weight along y: gives the speed that does the load's work.
-    pub(crate) work: Vec<(usize, f64, f64)>,
-}
 
 /// An eye and its load, ready to be moved.
 #[derive(Debug, Clone)]
@@ -49,8 +40,7 @@ pub struct System {
     pub(crate) survey: Vec<SurveyGroup>,
     pub(crate) ring: Ring,
     pub(crate) shortest_squared: f64,
-    pub(crate) rest_x: Aligned,
-    pub(crate) rest_y: Aligned,
+    pub(crate) rest: Pairs,
     /// Decay rate c/m of globe and fat, in 1/s.
     pub(crate) decay: [f64; 2],
     /// Use only operations that every machine rounds alike.
@@ -60,9 +50,15 @@ pub struct System {
     /// The vectors that hold anything that moves.
     pub(crate) active: Active,
     places: Vec<RowPlace>,
-    load: NodeLoad,
-    omega_bound: f64,
-    springs_per_evaluation: usize,
+    /// Force of the load against time.
+    pub pulse: Pulse,
+    /// Slot of a loaded node, how many nodes it stands for, and force per N of load.
+    pub(crate) loaded: Vec<(usize, f64, Vector2<f64>)>,
+    /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
+    /// rad/s; see [`crate::models::paper::eye::frequency`].
+    pub omega_bound: f64,
+    /// Springs that one force evaluation computes.
+    pub springs_per_evaluation: usize,
 }
 
 impl System {
@@ -84,14 +80,14 @@ impl System {
             survey: vec![no_quads; (side + 1) * stride / LANES],
             ring: Ring::default(),
             shortest_squared: shortest_squared(eye),
-            rest_x: Aligned::zeros((side + 1) * stride + LANES),
-            rest_y: Aligned::zeros((side + 1) * stride + LANES),
+            rest: Pairs::zeros((side + 1) * stride + LANES),
             decay: decay_rates(eye),
             portable,
             level: Level::new(),
             active: Active::default(),
             places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
-            load: NodeLoad { pulse, shares: Vec::new(), work: Vec::new() },
+            pulse,
+            loaded: Vec::new(),
             omega_bound: frequency::omega_bound(eye),
             springs_per_evaluation: 0,
         };
@@ -102,12 +98,10 @@ impl System {
         system.ring = ring::compile(eye, &rows);
         system.springs_per_evaluation += system.ring.filaments();
         for &(node, share) in &load.shares {
-            let place = rows.place(eye.nodes[node].grid);
+            let place = system.place(node);
             if !place.mirrored {
-                let (fx, fy) = (share * load.direction.x, share * load.direction.y);
                 let weight = rows.weight(eye.nodes[node].grid.1);
-                system.load.shares.push((place.slot, fx, fy));
-                system.load.work.push((place.slot, weight * fx, weight * fy));
+                system.loaded.push((place.slot, weight, load.direction * share));
             }
         }
         system
@@ -117,15 +111,15 @@ impl System {
         // Places without a node get distinct positions too, so that no length there is zero.
         for j in 0..self.side {
             for i in 0..self.stride {
-                self.rest_x[j * self.stride + i] = i as f64 * 1e-3;
-                self.rest_y[j * self.stride + i] = j as f64 * 1e-3;
+                self.rest.x[j * self.stride + i] = i as f64 * 1e-3;
+                self.rest.y[j * self.stride + i] = j as f64 * 1e-3;
             }
         }
         for node in &eye.nodes {
             let (i, j) = node.grid;
             let slot = j * self.stride + i + SHIFT;
-            self.rest_x[slot] = node.position.x;
-            self.rest_y[slot] = node.position.y;
+            self.rest.x[slot] = node.position.x;
+            self.rest.y[slot] = node.position.y;
             if node.fixed() || !rows.owns(j) {
                 continue;
             }
@@ -168,13 +162,12 @@ impl System {
 
     fn put_quads(&mut self, eye: &Eye, rows: &MovedRows) {
         for quad in &eye.quads {
-            let p = quad.map(|i| eye.nodes[i].position);
             let (i, j) = eye.nodes[quad[0]].grid;
             if j < rows.first {
                 continue;
             }
             let slot = j * self.stride + i + SHIFT;
-            let twice_area = (p[2] - p[0]).perp(&(p[3] - p[1]));
+            let twice_area = crossed(quad.map(|i| eye.nodes[i].position));
             let group = &mut self.survey[slot / LANES];
             group.inverse_area[slot % LANES] = 1.0 / twice_area;
             group.no_quad[slot % LANES] = 0.0;
@@ -195,25 +188,14 @@ impl System {
         self.active = Active::new(busy);
     }
 
+    /// The slots of the rows that hold all moving nodes.
+    pub(crate) fn moving(&self) -> Range<usize> {
+        self.first_row * self.stride..(self.side - 1) * self.stride
+    }
+
     /// Where node `node` of the eye is found.
     pub fn place(&self, node: usize) -> RowPlace {
         self.places[node]
-    }
-
-    /// The load.
-    pub fn load(&self) -> &NodeLoad {
-        &self.load
-    }
-
-    /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
-    /// rad/s; see [`crate::models::paper::eye::frequency`].
-    pub fn omega_bound(&self) -> f64 {
-        self.omega_bound
-    }
-
-    /// Springs that one force evaluation computes.
-    pub fn springs_per_evaluation(&self) -> usize {
-        self.springs_per_evaluation
     }
 
     /// Whether only the upper half is moved.

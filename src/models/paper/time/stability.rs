@@ -23,7 +23,7 @@ const MAX_DRAG: f64 = 2.0;
 /// Largest step in s for which `integrator` is stable on `system` whatever its shape.
 pub fn step_limit(integrator: Integrator, system: &System) -> f64 {
     // An eye without stiffness has no limit; it must still be seen to move.
-    let omega = system.omega_bound().max(1.0);
+    let omega = system.omega_bound.max(1.0);
     let most = system.decay[0].max(system.decay[1]);
     let least = system.decay[0].min(system.decay[1]);
     let method = integrator.method();
