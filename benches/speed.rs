@@ -122,7 +122,7 @@ fn evaluation_times<const N: usize>(cases: &[&PaperCase], window: f64, rounds: u
         }
         times.time(cases.len(), || {
             counts[cases.len()] = edges.run(window, step, |p, _| {
-                black_box(&p.x);
+                black_box(&p.position);
             });
         });
     }
@@ -152,7 +152,7 @@ fn evaluations(targets: &mut Targets) {
             let springs = cases[i].system.springs_per_evaluation;
             print(level, forms[i].0, times[i], springs, times[3])
         }));
-        let springs = plain(cases[0]).springs();
+        let springs = cases[0].eye.springs.len();
         print(level, "plain edge list", times[3], springs, times[3]);
     }
     for level in vector_sets() {
@@ -185,10 +185,10 @@ fn plain_error(case: &PaperCase, step: f64, truth: &[f64; 5]) -> f64 {
     plain(case).run(case.window, step, |p, _| {
         for (i, &n) in marks.monitors.iter().enumerate() {
             let drag = case.eye.nodes[n].drag;
-            let force = (p.fx[n] - drag * p.vx[n]).hypot(p.fy[n] - drag * p.vy[n]);
-            found[i] = found[i].max(force);
+            found[i] = found[i].max((p.force[n] - p.velocity[n] * drag).norm());
         }
-        let apex = marks.apex.iter().zip(&rest).map(|(&n, x)| p.x[n] - x).sum::<f64>() / 2.0;
+        let apex =
+            marks.apex.iter().zip(&rest).map(|(&n, x)| p.position[n].x - x).sum::<f64>() / 2.0;
         found[4] = found[4].max(apex);
     });
     (0..5).map(|i| 100.0 * (found[i] / truth[i] - 1.0).abs()).fold(0.0, f64::max)
@@ -226,7 +226,7 @@ fn standard_case(targets: &mut Targets) {
             fastest_in_c = fastest_in_c.min(seconds);
             let mut edges = plain(&quick);
             edges.run(quick.window, step, |_, _| {});
-            let here: f64 = edges.x.iter().chain(&edges.y).sum();
+            let here: f64 = edges.position.iter().map(|p| p.x + p.y).sum();
             assert!((sum - here).abs() < 1e-9, "C ends elsewhere: {sum} {here}");
         }
         for (i, plan) in plans.iter().enumerate() {
@@ -238,7 +238,7 @@ fn standard_case(targets: &mut Targets) {
             let mut edges = plain(&quick);
             times.time(i, || {
                 edges.run(quick.window, step, |p, _| {
-                    black_box(&p.x);
+                    black_box(&p.position);
                 });
             });
         }

@@ -318,7 +318,7 @@ proptest! {
         plain.run(case.window, step, |_, _| {});
         for i in 0..case.eye.nodes.len() {
             let p = state.position(case.system.place(i));
-            let distance = (p - Point2::new(plain.x[i], plain.y[i])).norm();
+            let distance = (p - plain.position[i]).norm();
             prop_assert!(distance < 1e-11, "node {i}: {distance}");
         }
     }

@@ -8,6 +8,7 @@
 use crate::models::paper::eye::hats::{Hat, along_shell, of_displacement, of_force};
 use crate::models::paper::eye::mesh::SectionMesh;
 use crate::run::places::Monitor;
+use std::collections::HashMap;
 
 /// Column and row of a monitored node in the mesh of level 1.
 fn grid(monitor: Monitor) -> (usize, usize) {
@@ -38,6 +39,19 @@ pub struct Landmarks {
     pub apex_hats: [Hat; 2],
     /// The ends of the vertical diameter, likewise.
     pub meridian_hats: [Hat; 2],
+}
+
+/// How many hops apart two nodes lie on the closed line `shell`, the shorter way round, and the
+/// place from which; none where one of them is not on it.
+pub(crate) fn along(shell: &[usize]) -> impl Fn(usize, usize) -> Option<(usize, usize)> {
+    let count = shell.len();
+    let order: HashMap<usize, usize> = shell.iter().enumerate().map(|(o, &i)| (i, o)).collect();
+    move |a, b| {
+        let (a, b) = (*order.get(&a)?, *order.get(&b)?);
+        let (low, high) = (a.min(b), a.max(b));
+        let straight = 2 * (high - low) <= count;
+        Some(if straight { (high - low, low) } else { (count + low - high, high) })
+    }
 }
 
 pub(crate) fn find(mesh: &SectionMesh, level: u32) -> Landmarks {

@@ -55,9 +55,9 @@ pub struct Survey {
 /// Fills the ghost row below a mirrored half.
 #[inline(always)]
 fn fill_ghosts(system: &System, state: &mut State) {
-    if let Some(source) = system.mirror_row {
-        let stride = system.stride;
-        let (ghost, source) = (system.first_row * stride + SHIFT, source * stride + SHIFT);
+    if let Some(source) = system.rows.mirror {
+        let stride = system.rows.stride;
+        let (ghost, source) = (system.rows.first * stride + SHIFT, source * stride + SHIFT);
         state.position.x.copy_within(source..source + stride, ghost);
         let (below, above) = state.position.y.split_at_mut(source);
         for (image, y) in below[ghost..].iter_mut().zip(&above[..stride]) {
@@ -141,7 +141,7 @@ fn kick_drift_as<S: Simd, const QUICK: bool>(
     fill_ghosts(system, state);
     ring_forces::<S, QUICK, false>(simd, system, state, force, &mut sums);
     let mut update = KickDrift::<S, QUICK> { stage, loss: splat(simd, 0.0) };
-    sweep::<S, QUICK, false, true>(simd, system, state, &mut sums, &mut update);
+    sweep::<S, QUICK, false>(simd, system, state, &mut sums, &mut update);
     total::<S>(update.loss)
 }
 
@@ -196,7 +196,7 @@ fn evaluate_as<S: Simd, const QUICK: bool>(
     fill_ghosts(system, state);
     ring_forces::<S, QUICK, true>(simd, system, state, force, &mut sums);
     let mut update = Keep::<S, QUICK> { kick, kinetic: splat(simd, 0.0) };
-    sweep::<S, QUICK, true, false>(simd, system, state, &mut sums, &mut update);
+    sweep::<S, QUICK, true>(simd, system, state, &mut sums, &mut update);
     let strain_squared = sums.strain_squared.as_slice().iter().copied();
     let quad_ratio = sums.quad_ratio.as_slice().iter().copied();
     Survey {
@@ -273,15 +273,11 @@ pub fn vector_sets() -> Vec<Level> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::{eye::Eye, forces::load::ArcLoad};
-    use crate::models::pulse::Pulse;
+    use crate::models::paper::case::PaperCase;
     use crate::scenario::Scenario;
 
     fn system(scenario: &Scenario, whole: bool, portable: bool) -> System {
-        let pulse = scenario.pulse().unwrap();
-        let eye = Eye::build(&scenario.eye);
-        let load = ArcLoad::new(pulse, &eye);
-        System::new(&eye, Pulse::new(pulse), &load, whole, portable)
+        PaperCase::with(&scenario.check().unwrap(), whole, portable).system
     }
 
     fn moved(level: Level, eye_level: u32, whole: bool, portable: bool) -> (State, Survey) {
@@ -305,13 +301,10 @@ mod tests {
             let (narrow, survey) = moved(vector_sets()[0], eye_level, whole, true);
             for level in vector_sets() {
                 let (state, _) = moved(level, eye_level, whole, true);
-                assert_eq!(narrow.position.x[..], state.position.x[..], "portable, {level:?}");
-                assert_eq!(narrow.velocity.y[..], state.velocity.y[..], "portable, {level:?}");
-                assert_eq!(
-                    narrow.acceleration.y[..],
-                    state.acceleration.y[..],
-                    "portable, {level:?}"
-                );
+                let runs = |of: &State| {
+                    [&of.position.x, &of.velocity.y, &of.acceleration.y].map(|run| run.to_vec())
+                };
+                assert_eq!(runs(&narrow), runs(&state), "portable, {level:?}");
                 let (quick, quick_survey) = moved(level, eye_level, whole, false);
                 for (a, b) in narrow.position.x.iter().zip(&quick.position.x[..]) {
                     assert!((a - b).abs() < 1e-14, "quick, {level:?}: {a} {b}");

@@ -54,7 +54,7 @@ impl State {
     /// Takes over all but the working space of `other`, a state of the same `system`.
     pub fn copy_motion(&mut self, system: &System, other: &Self) {
         (self.time, self.work, self.dissipated) = (other.time, other.work, other.dissipated);
-        let moved = system.first_row * system.stride..;
+        let moved = system.rows.first * system.rows.stride..;
         for (to, from) in [
             (&mut self.position, &other.position),
             (&mut self.velocity, &other.velocity),

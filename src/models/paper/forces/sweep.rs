@@ -49,31 +49,21 @@ pub(crate) trait Update<S: Simd> {
 #[repr(align(64))]
 struct Line(#[expect(dead_code, reason = "only its place matters")] [u8; 64]);
 
-/// A part of `run`, of which it is known that it is there.
+/// A part of two runs, of which it is known that it is there.
 ///
 /// # Safety
-/// `at + len` is no more than the length of `run`.
-#[inline(always)]
-unsafe fn part(run: &[f64], at: usize, len: usize) -> &[f64] {
-    debug_assert!(at + len <= run.len());
-    // SAFETY: as asked of the caller.
-    unsafe { run.get_unchecked(at..at + len) }
-}
-
-/// [`part`] of two runs.
-///
-/// # Safety
-/// As [`part`], for either.
+/// `at + len` is no more than the length of either.
 #[inline(always)]
 unsafe fn parts<'a>(x: &'a [f64], y: &'a [f64], at: usize, len: usize) -> (&'a [f64], &'a [f64]) {
+    debug_assert!(at + len <= x.len() && at + len <= y.len());
     // SAFETY: as asked of the caller.
-    unsafe { (part(x, at, len), part(y, at, len)) }
+    unsafe { (x.get_unchecked(at..at + len), y.get_unchecked(at..at + len)) }
 }
 
 /// [`parts`] that may be written.
 ///
 /// # Safety
-/// As [`part`], for either.
+/// As [`parts`].
 #[inline(always)]
 unsafe fn parts_mut<'a>(
     x: &'a mut [f64],
@@ -86,10 +76,10 @@ unsafe fn parts_mut<'a>(
     unsafe { (x.get_unchecked_mut(at..at + len), y.get_unchecked_mut(at..at + len)) }
 }
 
-/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`,
-/// what `update` returns becomes their position.
+/// Goes through all springs and gives `update` the force on each vector of nodes. What it returns
+/// becomes their position, but in a survey, which moves nothing.
 #[inline(always)]
-pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
+pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool>(
     simd: S,
     system: &System,
     state: &mut State,
@@ -97,7 +87,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     update: &mut impl Update<S>,
 ) {
     // Known to be small, so that sums of it cannot wrap and bounds need checking once.
-    let stride = system.stride as u32 as usize;
+    let stride = system.rows.stride as u32 as usize;
     // Makes the compiler align the stack, else vectors kept there may straddle two cache lines.
     std::hint::black_box(&mut Line([0; 64]));
     let width = V::<S>::LEN;
@@ -110,21 +100,22 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     let (ax, ay) = (&mut acceleration.x[..len], &mut acceleration.y[..len]);
     let (extra_x, extra_y) = (&scratch.extra.x[..len], &scratch.extra.y[..len]);
     let (up_x, up_y) = (&mut scratch.up.x[..len], &mut scratch.up.y[..len]);
-    let groups = &system.groups[..=system.active.last / LANES];
+    let [first, others @ ..] = system.active.as_slice() else {
+        return;
+    };
+    let last = *others.last().unwrap_or(first) as usize;
+    let groups = &system.groups[..=last / LANES];
     let reach = stride + 1 + width;
-    assert!(system.active.last + reach <= len, "a vector beyond the mesh");
+    assert!(last + reach <= len, "a vector beyond the mesh");
     // Forces on their way to the next vector.
     let mut across = zeros(simd);
     let mut rising = zeros(simd);
     let mut after_last = 0;
-    let [first, others @ ..] = system.active.slots.as_slice() else {
-        return;
-    };
     // One vector ahead, so that its roots are under way while the forces of this one are summed.
-    // SAFETY: no slot is beyond `active.last`, of which `reach` values have been found to be there.
+    // SAFETY: no slot is beyond `last`, of which `reach` values have been found to be there.
     let ahead = unsafe { parts(x, y, *first as usize, reach) };
     let mut next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
-    for (&o, &following) in system.active.slots.iter().zip(others) {
+    for (&o, &following) in system.active.iter().zip(others) {
         let o = o as usize;
         let now = next;
         // SAFETY: as above.
@@ -137,7 +128,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         }
         after_last = o + width;
         let lane = o & (LANES - width);
-        // SAFETY: no slot is beyond `active.last`, whose group is the last one.
+        // SAFETY: no slot is beyond `last`, whose group is the last one.
         let group = unsafe { groups.get_unchecked(o / LANES) };
         let mut forces = [zeros(simd); DIRECTIONS];
         let mut pulls = [shortest; DIRECTIONS];
@@ -185,7 +176,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         );
         store_pair::<S>(above, stride, onto_above);
         let moved = update.nodes(nodes, force);
-        if MOVE {
+        if !SURVEY {
             // SAFETY: as above.
             store_pair::<S>(unsafe { parts_mut(x, y, o, width) }, 0, moved);
         }
@@ -208,13 +199,23 @@ impl<S: Simd> Quartet<S> {
     ) -> Self {
         let reach = stride + 1 + V::<S>::LEN;
         let (x, y) = (&x[..reach], &y[..reach]);
-        let [here, right, above, above_right] =
-            [0, 1, stride, stride + 1].map(|at| load_pair(simd, (x, y), at));
-        let ends = [(here, right), (here, above), (here, above_right), (above, right)];
-        let springs = ends.map(|(a, b)| Springs::<S>::new::<QUICK>(a, b, shortest_squared));
-        let inverse = std::array::from_fn(|direction| {
-            inverse_root_of::<S, QUICK>(simd, direction, springs[direction].square)
-        });
+        let here = load_pair(simd, (x, y), 0);
+        let right = load_pair(simd, (x, y), 1);
+        let above = load_pair(simd, (x, y), stride);
+        let above_right = load_pair(simd, (x, y), stride + 1);
+        // No closures here: they would not be compiled for the machine's vectors.
+        let springs = [
+            Springs::<S>::new::<QUICK>(here, right, shortest_squared),
+            Springs::<S>::new::<QUICK>(here, above, shortest_squared),
+            Springs::<S>::new::<QUICK>(here, above_right, shortest_squared),
+            Springs::<S>::new::<QUICK>(above, right, shortest_squared),
+        ];
+        let inverse = [
+            inverse_root_of::<S, QUICK>(simd, 0, springs[0].square),
+            inverse_root_of::<S, QUICK>(simd, 1, springs[1].square),
+            inverse_root_of::<S, QUICK>(simd, 2, springs[2].square),
+            inverse_root_of::<S, QUICK>(simd, 3, springs[3].square),
+        ];
         Self { springs, inverse }
     }
 

@@ -22,7 +22,7 @@
 //! Once all of it stays below what has been recorded, the rest of the window need not be computed.
 //! The proof is of the equations of motion; it says nothing of a solution that is chaotic.
 
-use crate::models::paper::eye::{Eye, hats::Hat, springs::SpringKind};
+use crate::models::paper::eye::{Eye, hats::Hat, landmarks::along, springs::SpringKind};
 use crate::models::paper::recording::dense::tugs;
 use std::collections::BTreeMap;
 
@@ -133,27 +133,17 @@ fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f
 }
 
 fn shell(eye: &Eye) -> ShellBound {
-    let count = eye.landmarks.shell.len();
     let hats = &eye.landmarks.shell_hats;
-    if hats.len() < count {
+    if hats.len() < eye.landmarks.shell.len() {
         let one = hats.iter().map(|hat| travel(eye, hat.iter(), 1.0).0);
         return ShellBound::Change(
             travel(eye, hats.iter().flatten(), 1.0),
             Travel(one.fold(0.0, f64::max)),
         );
     }
-    let mut order = vec![usize::MAX; eye.nodes.len()];
-    for (i, &n) in eye.landmarks.shell.iter().enumerate() {
-        order[n] = i;
-    }
-    let compliance: f64 = eye
-        .springs
-        .iter()
-        .filter(|s| {
-            let (a, b) = (order[s.a], order[s.b]);
-            s.kind == SpringKind::Sclera && matches!(a.abs_diff(b), d if d == 1 || d + 1 == count)
-        })
-        .map(|s| 1.0 / s.stiffness)
-        .sum();
+    let along = along(&eye.landmarks.shell);
+    let sclera = eye.springs.iter().filter(|s| s.kind == SpringKind::Sclera);
+    let sides = sclera.filter(|s| along(s.a, s.b).is_some_and(|(hop, _)| hop == 1));
+    let compliance: f64 = sides.map(|s| 1.0 / s.stiffness).sum();
     ShellBound::Stretch(Reach(compliance.sqrt()))
 }
