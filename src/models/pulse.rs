@@ -6,10 +6,9 @@
 
 use crate::scenario::{Curve, ForcePulse, PulseShape};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// The part of a pulse between two breaks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Piece {
     /// Rising edge.
     Rise,
@@ -19,8 +18,8 @@ pub enum Piece {
     Fall,
     /// Half a sine.
     Arch,
-    /// A straight line of a table, by its number.
-    Line(usize),
+    /// A straight line of a table: start and end, in s, and the shares of the force there.
+    Line([f64; 2], [f64; 2]),
     /// After the pulse.
     Nothing,
 }
@@ -43,48 +42,26 @@ pub struct Pulse {
     force: f64,
     duration: f64,
     shape: PulseShape,
-    /// The straight lines of a table, from time 0 on without gaps; none of another shape.
-    lines: Arc<[Line]>,
 }
 
-/// A straight line from knot to knot, times in s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Line {
-    start: f64,
-    end: f64,
-    /// Shares at both ends.
-    shares: (f64, f64),
-}
-
-/// The lines of a curve whose last knot falls at `duration` s. Before the first knot nothing acts.
-fn lines(curve: &Curve, duration: f64) -> Arc<[Line]> {
+/// The lines of a curve whose last knot falls at `duration` s, each with its end, from time 0 on
+/// without gaps. Before the first knot nothing acts.
+fn lines(curve: &Curve, duration: f64) -> Vec<(f64, Piece)> {
     let seconds = |ms: f64| ms / curve.last_ms() * duration;
     let knots = curve.knots();
     let wait = (knots[0].0 > 0.0).then_some([(0.0, 0.0), (knots[0].0, 0.0)]);
     let pairs = knots.windows(2).map(|pair| [pair[0], pair[1]]);
-    wait.into_iter()
-        .chain(pairs)
-        .map(|[(start, first), (end, last)]| Line {
-            start: seconds(start),
-            end: seconds(end),
-            shares: (first, last),
-        })
-        .collect()
+    let line = |[(start, first), (end, last)]: [(f64, f64); 2]| {
+        (seconds(end), Piece::Line([seconds(start), seconds(end)], [first, last]))
+    };
+    wait.into_iter().chain(pairs).map(line).collect()
 }
 
 impl Pulse {
     /// The pulse of a scenario, in SI units.
     pub fn new(input: &ForcePulse) -> Self {
         let duration = input.duration_ms * 1e-3;
-        Self {
-            force: input.force_n,
-            duration,
-            shape: input.shape.clone(),
-            lines: match &input.shape {
-                PulseShape::Table(curve) => lines(curve, duration),
-                _ => Arc::default(),
-            },
-        }
+        Self { force: input.force_n, duration, shape: input.shape.clone() }
     }
 
     /// Time from the start of the blow to the last force, in s.
@@ -103,12 +80,9 @@ impl Pulse {
     pub fn segments(&self, window: f64) -> Vec<Segment> {
         let edge = self.edge();
         let t = self.duration;
-        let pieces = match self.shape {
+        let pieces = match &self.shape {
             PulseShape::HalfSine => vec![(t, Piece::Arch)],
-            PulseShape::Table(_) => {
-                let numbered = self.lines.iter().enumerate();
-                numbered.map(|(i, line)| (line.end, Piece::Line(i))).collect()
-            }
+            PulseShape::Table(curve) => lines(curve, t),
             _ => vec![(edge, Piece::Rise), (t - edge, Piece::Plateau), (t, Piece::Fall)],
         };
         let mut start = 0.0;
@@ -136,8 +110,7 @@ impl Pulse {
                 Piece::Plateau => 1.0,
                 Piece::Fall => raised((self.duration - t) / self.edge()),
                 Piece::Arch => libm::sin(PI * t / self.duration),
-                Piece::Line(i) => {
-                    let Line { start, end, shares: (first, last) } = self.lines[i];
+                Piece::Line([start, end], [first, last]) => {
                     first + (last - first) * ((t - start) / (end - start))
                 }
                 Piece::Nothing => 0.0,

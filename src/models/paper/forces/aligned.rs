@@ -75,6 +75,7 @@ impl Pairs {
     }
 
     /// The vector at `place`.
+    #[inline]
     pub fn at(&self, place: RowPlace) -> Vector2<f64> {
         Vector2::new(self.x[place.slot], place.sign() * self.y[place.slot])
     }

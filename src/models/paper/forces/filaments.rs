@@ -1,10 +1,5 @@
 //! Forces of the filaments and of the load on the shell, and the length of the shell.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::lanes::{
     Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store_pair, total, zeros,
 };

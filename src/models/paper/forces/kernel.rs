@@ -10,11 +10,6 @@
 //! series, on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the
 //! machine.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::filaments::{ring_forces, shell_length};
 use crate::models::paper::forces::lanes::{
     self, Pair, Sums, V, fused, fused_pair, load, load_pair, on_vectors, splat, squared,

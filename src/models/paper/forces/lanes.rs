@@ -3,11 +3,6 @@
 //! The vectors are `fearless_simd`'s, so the code is safe, and AVX-512, AVX2, SSE2 or NEON is
 //! picked at run time. Of AVX-512 and AVX2 an instruction that has no name there is used too.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES};
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, SimdInto, f64x4, f64x8};

@@ -47,12 +47,6 @@ impl Ring {
         (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
     }
 
-    /// Filaments that are computed.
-    pub fn filaments(&self) -> usize {
-        let stiffness = self.strips.iter().flat_map(|strip| strip.stiffness);
-        stiffness.filter(|&k| k > 0.0).count()
-    }
-
     /// Length of the runs of all hop counts.
     pub fn hops_len(&self) -> usize {
         self.padded_len() * self.hops.len()

@@ -66,16 +66,19 @@ impl State {
     }
 
     /// Position of the node at `place`, in m.
+    #[inline]
     pub fn position(&self, place: RowPlace) -> Point2<f64> {
         self.position.at(place).into()
     }
 
     /// Velocity of the node at `place`, in m/s.
+    #[inline]
     pub fn velocity(&self, place: RowPlace) -> Vector2<f64> {
         self.velocity.at(place)
     }
 
     /// Acceleration of the node at `place`, drag included, in m/s^2.
+    #[inline]
     pub fn acceleration(&self, system: &System, place: RowPlace) -> Vector2<f64> {
         let fat = system.groups[place.slot / LANES].fat[place.slot % LANES];
         let decay = system.decay[usize::from(fat > 0.0)];

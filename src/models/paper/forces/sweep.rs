@@ -5,10 +5,6 @@
 //! its part; then its nodes may move at once, as nothing that comes later needs their old places.
 
 #![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-#![allow(
     unsafe_code,
     reason = "bounds are checked once a sweep: checked at every vector they took a tenth of the time"
 )]

@@ -88,7 +88,8 @@ impl System {
         system.set_level(Level::new());
         system.put_quads(eye);
         system.ring = ring::compile(eye, &system.rows);
-        system.springs_per_evaluation += system.ring.filaments();
+        let filaments = system.ring.strips.iter().flat_map(|strip| strip.stiffness);
+        system.springs_per_evaluation += filaments.filter(|&k| k > 0.0).count();
         for &(node, share) in &load.shares {
             let place = system.place(node);
             if !place.mirrored {
@@ -187,6 +188,7 @@ impl System {
     }
 
     /// Where node `node` of the eye is found.
+    #[inline]
     pub fn place(&self, node: usize) -> RowPlace {
         self.places[node]
     }

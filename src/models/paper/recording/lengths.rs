@@ -101,11 +101,9 @@ pub(crate) struct Growth {
 impl Growth {
     /// Follows `kind` of `points` from the shape that `state` has.
     pub fn new(kind: LengthKind, points: Vec<LinePoint>, system: &System, state: &State) -> Self {
+        let rest = value(kind, points.iter().map(|point| point.position(system, state)));
         let (peak, last_rate) = (Peak::default(), None);
-        let mut growth =
-            Self { kind, points, rest: 0.0, last: 0.0, peak, rising: false, last_rate };
-        growth.rest = growth.value(system, state);
-        growth
+        Self { kind, points, rest, last: 0.0, peak, rising: false, last_rate }
     }
 
     /// The largest growth as a share of the value at rest.

@@ -9,11 +9,6 @@
 //! the same force kernel, update their nodes by the same vectors, and allocate nothing after the
 //! start.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::kernel::{self, Survey, by_tissue};
 use crate::models::paper::forces::lanes::{
     V, fused, fused_pair, load, load_pair, on_vectors, splat, squared, store_pair, total,
