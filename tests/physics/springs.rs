@@ -11,7 +11,6 @@ use contrecoup::models::paper::forces::plain::Plain;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
 use contrecoup::models::paper::time::march::{Moment, march};
-use contrecoup::models::paper::time::stability;
 use contrecoup::models::pulse::Pulse;
 use contrecoup::run::model::EyeModel;
 use contrecoup::run::places::Region;
@@ -373,7 +372,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
     scenario.window_ms = Some(5.0);
     let case = PaperCase::new(&scenario.check().unwrap());
     for &integrator in Integrator::ALL {
-        let limit = stability::step_limit(integrator, &case.system);
+        let limit = case.step_limit(integrator);
         let energy = |share: f64| {
             let mut state = State::at_rest(&case.system);
             let mut log = Log::default();

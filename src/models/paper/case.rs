@@ -33,9 +33,8 @@ pub struct PaperCase {
 impl PaperCase {
     /// The same eye and pulse on the mesh of another level.
     pub(super) fn on_level(&self, level: u32) -> Self {
-        let (mut eye, pulse) = self.input.clone();
-        eye.level = level;
-        Self::built((eye, pulse), self.window, (false, false))
+        let (eye, pulse) = self.input.clone();
+        Self::built((EyeInput { level, ..eye }, pulse), self.window, (false, false))
     }
 
     /// Compiles a scenario.

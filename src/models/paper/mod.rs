@@ -5,8 +5,7 @@
 //!   computes many springs at once. `plain` is the same physics as a loop over an edge list: the
 //!   tested reference of the kernel and the baseline of the benchmarks.
 //! * `time`: `march` goes through the window in the steps that a `stepper` makes, a `composition`
-//!   of kicks and drifts or a `runge_kutta` method; `method` has a row for each integrator, and
-//!   `stability` bounds the step.
+//!   of kicks and drifts or a `runge_kutta` method; `method` has a row for each integrator.
 //! * `recording`: what is kept of a run.
 //! * `case` compiles a scenario, `model` is the trait [`EyeModel`](crate::run::model::EyeModel);
 //!   `rules`, `readings`, `flags` and `drawing` are its parts.

@@ -1,6 +1,5 @@
 //! The Paper model behind the trait that every model fills.
 
-use crate::models::paper::time::stability;
 use crate::models::paper::{case::PaperCase, drawing, flags, readings, rules::RULES};
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Keep, Spacing};
@@ -41,7 +40,7 @@ impl EyeModel for PaperCase {
     }
 
     fn step_limit(&self, integrator: Integrator) -> f64 {
-        stability::step_limit(integrator, &self.system)
+        integrator.method().step_limit(&self.system)
     }
 
     fn longest_step(&self, plan: &Plan) -> f64 {

@@ -8,7 +8,6 @@
 use crate::models::paper::eye::hats::{Hat, along_shell, of_displacement, of_force};
 use crate::models::paper::eye::mesh::SectionMesh;
 use crate::run::places::Monitor;
-use std::collections::HashMap;
 
 /// Column and row of a monitored node in the mesh of level 1.
 fn grid(monitor: Monitor) -> (usize, usize) {
@@ -45,9 +44,13 @@ pub struct Landmarks {
 /// place from which; none where one of them is not on it.
 pub(crate) fn along(shell: &[usize]) -> impl Fn(usize, usize) -> Option<(usize, usize)> {
     let count = shell.len();
-    let order: HashMap<usize, usize> = shell.iter().enumerate().map(|(o, &i)| (i, o)).collect();
+    let mut order = vec![None; shell.iter().max().map_or(0, |last| last + 1)];
+    for (place, &node) in shell.iter().enumerate() {
+        order[node] = Some(place);
+    }
+    let place = move |node: usize| order.get(node).copied().flatten();
     move |a, b| {
-        let (a, b) = (*order.get(&a)?, *order.get(&b)?);
+        let (a, b): (usize, usize) = (place(a)?, place(b)?);
         let (low, high) = (a.min(b), a.max(b));
         let straight = 2 * (high - low) <= count;
         Some(if straight { (high - low, low) } else { (count + low - high, high) })

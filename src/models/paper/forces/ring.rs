@@ -24,7 +24,7 @@ pub(crate) struct Strip {
 }
 
 /// The ring of shell nodes, unrolled, with ghosts at both ends.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct Ring {
     /// Where each gathered place is read, and the sign of its y.
     pub gather: Vec<(u32, f64)>,

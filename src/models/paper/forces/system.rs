@@ -64,39 +64,37 @@ impl System {
         let stride = side.next_multiple_of(LANES);
         let rows = MovedRows::new(side, stride, mirrored);
 
+        let ring = ring::compile(eye, &rows);
+        let filaments = ring.strips.iter().flat_map(|strip| strip.stiffness).filter(|&k| k > 0.0);
+        let places: Vec<RowPlace> = eye.nodes.iter().map(|n| rows.place(n.grid)).collect();
+        let loaded = load.shares.iter().filter(|(node, _)| !places[*node].mirrored);
+        let loaded = loaded.map(|&(node, share)| {
+            let weight = rows.weight(eye.nodes[node].grid.1);
+            (places[node].slot, weight, load.direction * share)
+        });
         let shortest = eye.springs.iter().map(|s| s.rest_length).fold(f64::INFINITY, f64::min);
         let no_quads = SurveyGroup { no_quad: [1.0; LANES], ..SurveyGroup::default() };
         let mut system = Self {
             groups: vec![SpringGroup::default(); (side + 1) * stride / LANES],
             survey: vec![no_quads; (side + 1) * stride / LANES],
-            ring: Ring::default(),
             shortest_squared: (SHORTEST_SHARE * shortest).powi(2),
             rest: Pairs::zeros((side + 1) * stride + LANES),
             decay: decay_rates(eye),
             portable,
             level: Level::new(),
             active: Vec::new(),
-            places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
-            rows,
             pulse,
-            loaded: Vec::new(),
+            loaded: loaded.collect(),
+            places,
+            rows,
             omega_bound: frequency::omega_bound(eye),
-            springs_per_evaluation: 0,
+            springs_per_evaluation: filaments.count(),
+            ring,
         };
         system.put_nodes(eye);
         system.put_springs(eye);
         system.set_level(Level::new());
         system.put_quads(eye);
-        system.ring = ring::compile(eye, &system.rows);
-        let filaments = system.ring.strips.iter().flat_map(|strip| strip.stiffness);
-        system.springs_per_evaluation += filaments.filter(|&k| k > 0.0).count();
-        for &(node, share) in &load.shares {
-            let place = system.place(node);
-            if !place.mirrored {
-                let weight = system.rows.weight(eye.nodes[node].grid.1);
-                system.loaded.push((place.slot, weight, load.direction * share));
-            }
-        }
         system
     }
 

@@ -4,7 +4,7 @@ use crate::models::paper::eye::{Eye, crossed, hats::Hat, mesh::Node};
 use crate::models::paper::forces::{load::ArcLoad, state::State, system::System};
 use crate::models::paper::recording::dense::{Interval, NodeForce};
 use crate::models::paper::recording::lengths::{Growth, LengthKind, LinePoint};
-use crate::models::paper::recording::settling::{Bend, RiseBounds, ShellBound, Travel};
+use crate::models::paper::recording::settling::{Bend, Bound, RiseBounds, ShellBound};
 use crate::models::paper::recording::{PaperExtremes, Recording, frames::FrameTaker};
 use crate::models::paper::time::march::Moment;
 use crate::models::pulse::Piece;
@@ -268,7 +268,7 @@ impl Recorder {
         }
         let left = self.window - self.before.time;
         let strain = self.bounds.strain.reach(self.energy);
-        let stays = |growth: &Growth, bound: Travel| {
+        let stays = |growth: &Growth, bound: Bound| {
             growth.last + bound.travel(self.energy, left) <= growth.peak.value
         };
         strain <= self.extremes.strain.value.min(UNFOLDED_STRAIN)

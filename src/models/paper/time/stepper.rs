@@ -5,7 +5,7 @@ use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 
 /// How a method treats the drag, which decides what it costs in step length; see
-/// [`crate::models::paper::time::stability`].
+/// [`crate::models::paper::time::method`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drag {
     /// Solved exactly within each drift.
