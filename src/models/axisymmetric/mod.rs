@@ -1,9 +1,9 @@
 //! The axisymmetric model: explicit and Lagrangian, as hydrocodes are.
 //!
 //! * `eye`: the mesh of a half section, and what it is made of in SI units.
-//! * `forces`: `cell` is the mechanics of one cell, `quads` the same of many (`rows` lays them
-//!   out, `nodes` moves what is between them), `plain` the loop that tests them; `shell` is cornea
-//!   and sclera, `object` and `contact` what hits them, `face` the bone beside them.
+//! * `forces`: `cell` is the mechanics of one cell, `quads` the same of many, with the nodes between
+//!   them (`rows` lays them out), `plain` the loop that tests them; `shell` is cornea and sclera,
+//!   `object` and `contact` what hits them, `face` the bone beside them.
 //! * `time`: the leapfrog through the window.
 //! * `recording`: `record` and `sensor` read off what `account` and `results` keep.
 //! * `case` compiles a scenario, `model` is the trait [`EyeModel`](crate::run::model::EyeModel);

@@ -1,5 +1,6 @@
 //! What the axisymmetric eye is made of, in SI units, each default with its source.
 
+use crate::models::axisymmetric::eye::mean;
 use std::f64::consts::PI;
 
 /// One degree, in rad.
@@ -129,6 +130,13 @@ impl Surround {
         self.subzonal = SUBZONAL_PA.min(0.5 * bulk);
         self
     }
+
+    /// The front edge of the wall: x and distance from the axis, in m.
+    pub(crate) fn edge(&self) -> (f64, f64) {
+        let angle = PI - self.opening;
+        let distance = self.wall.distance(angle);
+        (distance * libm::cos(angle), distance * libm::sin(angle))
+    }
 }
 
 /// Stiffness against folding where the material is far stiffer in bulk, in Pa.
@@ -190,8 +198,7 @@ impl ShellParameters {
             return (self.cornea_thickness, self.cornea_modulus);
         }
         let points = &self.sclera_thickness;
-        let above = points.iter().position(|p| p.0 > angle);
-        let thickness = match above {
+        let thickness = match points.iter().position(|p| p.0 > angle) {
             None => points[points.len() - 1].1,
             Some(0) => points[0].1,
             Some(i) => {
@@ -200,6 +207,16 @@ impl ShellParameters {
             }
         };
         (thickness, self.sclera_modulus)
+    }
+
+    /// Means over such angles: thickness in m, the modulus in Pa that gives the mean of modulus
+    /// times thickness, and the share of sclera.
+    pub(crate) fn means(&self, angles: &[f64]) -> (f64, f64, f64) {
+        let over = |of: &dyn Fn(f64) -> f64| mean(angles.iter().copied().map(of));
+        let thickness = over(&|angle| self.at(angle).0);
+        let stiffness = over(&|angle| self.at(angle).0 * self.at(angle).1);
+        let sclera = over(&|angle| f64::from(angle >= self.limbus));
+        (thickness, stiffness / thickness, sclera)
     }
 }
 

@@ -164,9 +164,9 @@ fn subzonal(j: f64) -> (f64, f64) {
 }
 
 impl Rest {
-    pub fn new(eye: &AxisymmetricEye, cell: &Cell) -> Self {
+    pub fn new(eye: &AxisymmetricEye, cell: &Cell<4>) -> Self {
         let p = cell.corners.map(|node| eye.at(node));
-        let (a, b) = ((p[2].0 - p[0].0, p[2].1 - p[0].1), (p[3].0 - p[1].0, p[3].1 - p[1].1));
+        let (a, b) = diagonals(p);
         let det = a.0 * b.1 - b.0 * a.1;
         Self {
             volume: volume(p).0,

@@ -3,7 +3,6 @@
 pub mod cell;
 pub mod contact;
 pub mod face;
-pub mod nodes;
 pub mod object;
 pub mod object_spring;
 pub mod plain;

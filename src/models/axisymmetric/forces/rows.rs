@@ -11,7 +11,7 @@
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
-use crate::models::axisymmetric::forces::{cell, cell::Rest, nodes, quads};
+use crate::models::axisymmetric::forces::{cell, cell::Rest, quads};
 use crate::models::axisymmetric::recording::sensor;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
@@ -158,7 +158,7 @@ impl CellRows {
             corners: std::array::from_fn(|_| (Aligned::zeros(corners), Aligned::zeros(corners))),
             pressures: Aligned::zeros(cells),
             level,
-            rest: rest(eye, &owners, places[eye.mesh.shell[0]]),
+            rest: NodeState::new(eye, &owners, places[eye.mesh.shell[0]]),
             places,
             cells: Vec::new(),
             twins,
@@ -238,36 +238,10 @@ fn constants(rest: &Rest) -> Constants {
 
 /// Constants of a place without a cell: the given shape without stiffness.
 fn absent(mut c: Constants) -> Constants {
-    for value in &mut c[field::BULK..] {
-        *value = 0.0;
-    }
-    for value in &mut c[field::INVERSE_TRIANGLE..field::INVERSE_TRIANGLE + 4] {
-        *value = 0.0;
-    }
+    c[field::BULK..].fill(0.0);
+    c[field::INVERSE_TRIANGLE..field::INVERSE_TRIANGLE + 4].fill(0.0);
     c[field::ABSENT] = f64::MAX;
     c
-}
-
-fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> NodeState {
-    let mesh = &eye.mesh;
-    let read = |of: &dyn Fn(usize) -> f64, none: f64| {
-        owners.iter().map(|o| o.map_or(none, of)).collect::<Vec<f64>>()
-    };
-    let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
-    let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
-    let zeros = vec![0.0; owners.len()];
-    NodeState {
-        x: read(&|i| mesh.x[i], 0.0),
-        // Off the axis, as radii are divided by.
-        r: read(&|i| mesh.r[i], eye.parameters.radius),
-        vx: zeros.clone(),
-        vr: zeros.clone(),
-        fx: zeros.clone(),
-        fr: zeros,
-        free_x: read(&free, 0.0),
-        free_r: read(&off_axis, 0.0),
-        shell: shell..shell + mesh.shell.len(),
-    }
 }
 
 impl Cells for CellRows {
@@ -295,7 +269,7 @@ impl Cells for CellRows {
             state.fr[twin] = state.fr[place];
         }
         let level = self.level;
-        dispatch!(level, simd => nodes::advance(simd, state, kick, drift));
+        dispatch!(level, simd => quads::advance(simd, state, kick, drift));
     }
 
     fn pressures(&self) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! Points that move with the eye: a weighted mean of nodes.
 
 use crate::models::spatial::eye::mesh::{Extent, Place};
-use crate::models::spatial::eye::{Cell, SpatialEye, upon, within};
+use crate::models::spatial::eye::{Cell, SpatialEye, share_of, shares, upon, within};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 /// Places or velocities of all nodes, by component.
@@ -50,12 +50,10 @@ impl SpatialEye {
     /// The point of the shell in a direction from the middle.
     pub(crate) fn on_shell(&self, direction: Vector3<f64>) -> Option<Point> {
         let (direction, mirrored) = self.computed(direction);
-        let side = direction.cross(&Vector3::x());
-        let side = if side.norm() > 1e-3 * direction.norm() {
-            side
-        } else {
-            direction.cross(&Vector3::y())
-        };
+        let mut side = direction.cross(&Vector3::x());
+        if side.norm() <= 1e-3 * direction.norm() {
+            side = direction.cross(&Vector3::y());
+        }
         let up = direction.cross(&side);
         let (side, up) = (side.normalize(), up.normalize());
         self.quads.iter().find_map(|quad| {
@@ -77,18 +75,17 @@ impl SpatialEye {
             let at = upon(&p, s, t);
             let aside = side.dot(&at).abs().max(up.dot(&at).abs());
             let found = aside < SLACK * at.norm() && at.dot(&direction) > 0.0;
-            if !found || !inside.contains(&s) || !inside.contains(&t) {
+            if !(found && inside.contains(&s) && inside.contains(&t)) {
                 return None;
             }
-            let shares = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
-            Some(Point { shares: quad.corners.into_iter().zip(shares).collect(), mirrored })
+            Some(Point { shares: quad.corners.into_iter().zip(shares(s, t)).collect(), mirrored })
         })
     }
 
     /// The point at a place, and its cell, if some cell is there; of the globe alone if asked for.
     pub(crate) fn at(&self, place: Vector3<f64>, only: Option<Place>) -> Option<(Point, usize)> {
         let (place, mirrored) = self.computed(place);
-        let wanted = |cell: &Cell| only.is_none_or(|only| cell.place == only);
+        let wanted = |cell: &Cell<8>| only.is_none_or(|only| cell.region == only);
         let cells = self.cells.iter().enumerate().filter(|(_, cell)| wanted(cell));
         for (number, cell) in cells {
             let p = cell.corners.map(|node| self.mesh.at[node]);
@@ -117,13 +114,7 @@ impl SpatialEye {
             if !found || off > SLACK * reach || !s.iter().all(inside) {
                 continue;
             }
-            let share = |i: usize| {
-                let along = |bit: usize| {
-                    if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
-                };
-                along(0) * along(1) * along(2)
-            };
-            let shares = (0..8).map(|i| (cell.corners[i], share(i))).collect();
+            let shares = (0..8).map(|i| (cell.corners[i], share_of(i, s.into()))).collect();
             return Some((Point { shares, mirrored }, number));
         }
         None

@@ -20,11 +20,6 @@
 //!   c = (8/3)(0.05 rho l c') V/(64 V0^(2/3)): fh = -c Q', and what keeps the turn free of it goes
 //!   into the stress as -(c/V) Q' (x) Xh.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::cell::{
     FLAT, LINEAR, QUADRATIC, SUBZONAL_BULK, SUBZONAL_VISCOSITY,
 };
@@ -204,7 +199,7 @@ fn outer<M: Math>(x: &Eight<M::N>, g: &[Three<M::N>; 7]) -> [Three<M::N>; 3] {
 }
 
 /// The constants of a cell of `eye`.
-pub(crate) fn constants(eye: &SpatialEye, cell: &Cell) -> Constants {
+pub(crate) fn constants(eye: &SpatialEye, cell: &Cell<8>) -> Constants {
     let p: Eight<f64> = cell.corners.map(|node| eye.mesh.at[node].into());
     let x = modes(Plain, &p);
     let slope = slopes(Plain, &x);

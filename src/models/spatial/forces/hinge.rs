@@ -1,10 +1,6 @@
 //! The hinges between quads of the shell: its bending stiffness; see [`super::shell`].
 
-#![allow(
-    clippy::inline_always,
-    clippy::needless_range_loop,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
+#![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::eye::SpatialEye;

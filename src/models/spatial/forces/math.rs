@@ -3,11 +3,6 @@
 //! No operation is fused, and what is summed is summed by place, so every width gives the same
 //! bits but for the root of a volume, which the plain form takes from `libm`.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::quads::inverse_cube_root_squared;
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
@@ -128,20 +123,7 @@ pub(crate) type Three<N> = [N; 3];
 
 macro_rules! by_component {
     ($i:ident => $of:expr) => {
-        [
-            {
-                let $i = 0usize;
-                $of
-            },
-            {
-                let $i = 1usize;
-                $of
-            },
-            {
-                let $i = 2usize;
-                $of
-            },
-        ]
+        $crate::models::axisymmetric::forces::quads::written_out!($i => $of; 0 1 2)
     };
 }
 pub(crate) use by_component;

@@ -5,10 +5,7 @@
 //! length at rest and pulls them together from any side. Left out: that an object turns, so the
 //! axis of a cylinder stays where it came from.
 
-use crate::models::axisymmetric::forces::object::{
-    Object, ObjectOutline, SURFACE_SHARE, hysteresis,
-};
-use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
+use crate::models::axisymmetric::forces::object::{Core, Object, ObjectOutline, hysteresis};
 use nalgebra::Vector3;
 
 type Vector = Vector3<f64>;
@@ -81,7 +78,7 @@ pub(crate) struct MovingObject {
     pub mass: [f64; 2],
     /// The way it came.
     pub way: Vector,
-    spring: Option<(ObjectSpring, f64)>,
+    core: Core,
     arrival: f64,
     /// Longest stable step of the spring, s.
     pub limit: f64,
@@ -90,19 +87,15 @@ pub(crate) struct MovingObject {
 impl MovingObject {
     /// An object that flies along `way` and is at `at` now.
     pub fn new(object: &Object, way: Vector, at: Vector) -> Self {
-        let spring = object.spring.map(|spring| {
-            let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
-            (law, spring.restitution * spring.restitution)
-        });
-        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
+        let core = Core::new(object);
         Self {
             at: [at; 2],
             speed: [way * object.speed; 2],
             force: [Vector::zeros(); 2],
             lossy: [Vector::zeros(); 2],
-            mass: [surface, object.mass - surface],
+            mass: core.mass,
             way,
-            spring,
+            core,
             arrival: object.speed,
             limit: f64::INFINITY,
         }
@@ -111,7 +104,7 @@ impl MovingObject {
     /// Sets the forces to those of the spring.
     pub fn inner(&mut self) {
         (self.force, self.lossy) = ([Vector::zeros(); 2], [Vector::zeros(); 2]);
-        let Some((law, kept)) = self.spring else {
+        let Some((law, kept)) = self.core.spring else {
             return;
         };
         let apart = self.at[1] - self.at[0];
@@ -123,11 +116,7 @@ impl MovingObject {
         self.force = [along * (squeezed.force * left), along * (-squeezed.force * left)];
         let lossy = along * (squeezed.force * (left - 1.0));
         self.lossy = [lossy, -lossy];
-        // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
-        let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
-        let w = (squeezed.slope / reduced).sqrt();
-        let z = 0.5 * squeezed.force.abs() * slope / (w * reduced);
-        self.limit = 2.0 / w * ((1.0 + z * z).sqrt() - z);
+        self.limit = self.core.limit(&squeezed, slope);
     }
 
     /// How much the spring is squeezed along its way, m.
@@ -142,8 +131,7 @@ impl MovingObject {
 
     /// Energy of the spring, J.
     pub fn stored(&self) -> f64 {
-        let squeeze = (self.at[1] - self.at[0]).norm();
-        self.spring.map_or(0.0, |(law, _)| law.at(squeeze).energy)
+        self.core.stored((self.at[1] - self.at[0]).norm())
     }
 
     /// Kinetic energy of the velocities, J; with `kick` s of the forces the one at full steps.
@@ -159,8 +147,7 @@ impl MovingObject {
 
     /// How far in front of where it is its surface may yet swing, m.
     pub fn swing(&self) -> f64 {
-        let apart = (self.speed[1] - self.speed[0]).norm();
-        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+        self.core.swing((self.speed[1] - self.speed[0]).norm(), self.squeezed())
     }
 
     /// kg m/s.

@@ -17,8 +17,9 @@
 //! Left out: skin and muscle on the bone, friction, that bone breaks, and that a squeezed ball gets
 //! wider.
 
-use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, hysteresis};
 use crate::models::spatial::eye::{SpatialEye, orbit::RimSphere};
+use crate::models::spatial::forces::contact::depth;
 use crate::models::spatial::forces::object::{MovingObject, touches};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -39,7 +40,7 @@ pub(crate) struct Rim {
 }
 
 /// What bone does to an object.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Push {
     /// On the object, N.
     pub force: Vector3<f64>,
@@ -53,7 +54,7 @@ pub(crate) struct Push {
 
 impl Push {
     fn none() -> Self {
-        Self { force: Vector3::zeros(), energy: 0.0, limit: f64::INFINITY, used_up: 0.0 }
+        Self { limit: f64::INFINITY, ..Self::default() }
     }
 }
 
@@ -77,29 +78,20 @@ impl Rim {
         self.spheres.iter().filter_map(touch).reduce(f64::min)
     }
 
-    /// Depth of a sphere of the edge in an object at `at`, and the way that it decreases.
+    /// Depth of a sphere of the edge in an object, and the way that it decreases.
     fn depth(
         &self,
         object: &Object,
-        at: Vector3<f64>,
-        way: Vector3<f64>,
+        projectile: &MovingObject,
         sphere: &RimSphere,
     ) -> (f64, Vector3<f64>) {
-        let from = sphere.middle - at;
-        match object.outline {
-            ObjectOutline::Sphere(radius) => {
-                let apart = from.norm();
-                (radius + self.edge - apart, from / apart)
-            }
-            ObjectOutline::Cylinder(..) => {
-                let along = from.dot(&way);
-                let across = from - way * along;
-                let r = across.norm();
-                let (gap, nx, nr) = object.gap(along, r);
-                let aside = if r > 0.0 { across / r } else { across };
-                (gap + self.edge, way * nx + aside * nr)
-            }
+        if let ObjectOutline::Sphere(radius) = object.outline {
+            let from = sphere.middle - projectile.at[0];
+            let apart = from.norm();
+            return (radius + self.edge - apart, from / apart);
         }
+        let (gap, normal) = depth(object, projectile, sphere.middle);
+        (gap + self.edge, normal)
     }
 
     /// Pushes the object back, and adds what its surface loses to the projectile's.
@@ -116,7 +108,7 @@ impl Rim {
         let kept = if object.spring.is_some() { 0.0 } else { 1.0 };
         let (mut slope, mut damping) = (0.0, 0.0);
         for sphere in &self.spheres {
-            let (gap, normal) = self.depth(object, projectile.at[0], projectile.way, sphere);
+            let (gap, normal) = self.depth(object, projectile, sphere);
             if gap <= -object.near() {
                 continue;
             }
@@ -126,11 +118,7 @@ impl Rim {
                 continue;
             }
             let closing = projectile.speed[0].dot(&normal);
-            let (left, change) = crate::models::axisymmetric::forces::object::hysteresis(
-                kept,
-                object.speed,
-                closing,
-            );
+            let (left, change) = hysteresis(kept, object.speed, closing);
             let force = normal * (-stiffness * gap);
             push.force += force * left;
             projectile.lossy[0] += force * (left - 1.0);
@@ -150,7 +138,7 @@ impl Rim {
         let mut push = Push::none();
         let (mut sum, mut way, mut near) = (0.0, Vector3::zeros(), false);
         for sphere in &self.spheres {
-            let (gap, normal) = self.depth(object, projectile.at[0], projectile.way, sphere);
+            let (gap, normal) = self.depth(object, projectile, sphere);
             near |= gap > -object.near();
             if gap > 0.0 {
                 let part = sphere.share * gap.powi(POWER - 1);

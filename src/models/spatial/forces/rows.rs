@@ -5,11 +5,7 @@
 //! another by a list. A place of the last group that has no cell stands for the last one, with no
 //! stiffness.
 
-#![allow(
-    clippy::inline_always,
-    clippy::needless_range_loop,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
+#![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
 use crate::models::axisymmetric::forces::state::{CellSums, Totals};
 use crate::models::paper::forces::aligned::Aligned;

@@ -13,11 +13,7 @@
 //! edge, h the distance of the middles and D = E t^3/12 (1 - nu^2). At a mirror the other quad is
 //! the image of the first. Left out: shear across the thickness.
 
-#![allow(
-    clippy::inline_always,
-    clippy::needless_range_loop,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
+#![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::eye::{SpatialEye, area, upon};

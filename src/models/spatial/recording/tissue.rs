@@ -17,13 +17,13 @@
 //!
 //! Each goes through a low pass of 20 us. A rigid motion gives none of them anything.
 
-use crate::models::axisymmetric::recording::sensor::LowPass;
 use crate::models::axisymmetric::recording::tissue::{
     BACK_DEG, EDGE_DEG, EQUATOR_DEG, IRIS_DEG, LENS_EQUATOR,
 };
+use crate::models::axisymmetric::{eye::part, recording::sensor::LowPass};
 use crate::models::spatial::eye::mesh::{Extent, Place};
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::eye::{SpatialEye, upon};
+use crate::models::spatial::eye::{SpatialEye, area, upon};
 use crate::models::spatial::recording::results::Extremes;
 use crate::models::spatial::{eye::orbit::seen_from_the_middle, forces::object::towards};
 use crate::run::kept::Peak;
@@ -100,9 +100,9 @@ impl Tissues {
         let (mut equator, mut back) = (Vec::new(), Vec::new());
         for (number, quad) in eye.quads.iter().enumerate() {
             let p = quad.corners.map(|node| eye.mesh.at[node]);
-            let part = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+            let part = |i: usize| part(i % POINTS, POINTS);
             let points = (0..POINTS * POINTS)
-                .map(|i| seen_from_the_middle(upon(&p, part(i % POINTS), part(i / POINTS))));
+                .map(|i| seen_from_the_middle(upon(&p, part(i), part(i / POINTS))));
             let within = |front: f64, (from, to): (f64, f64)| {
                 (from.to_radians()..=to.to_radians()).contains(&front)
             };
@@ -118,7 +118,7 @@ impl Tissues {
                     passed: LowPass::default(),
                 });
             }
-            let whole = crate::models::spatial::eye::area(&p) / count;
+            let whole = area(&p) / count;
             let mut weights = [0.0; QUADRANTS];
             for (_, azimuth) in points.filter(|(front, _)| within(*front, BACK_DEG)) {
                 for sign in images {
@@ -208,18 +208,13 @@ impl Tissues {
             self.now[1] = self.now[1].max(mean);
             e.sectors.back[quadrant] = e.sectors.back[quadrant].max(mean);
         }
-        let mut before = self.ring.last().map_or(Vector3::zeros(), |p| p.of(at));
-        let mut lengths = [0.0; HOURS * PIECES];
-        for (i, point) in self.ring.iter().enumerate() {
-            let here = point.of(at);
-            lengths[(i + HOURS * PIECES - 1) % (HOURS * PIECES)] = (here - before).norm();
-            before = here;
-        }
+        let lengths = lengths(&self.ring, at);
         for hour in 0..HOURS {
-            let range = hour * PIECES..(hour + 1) * PIECES;
-            let now: f64 = lengths[range.clone()].iter().sum();
-            let rest: f64 = self.ring_rest[range].iter().sum();
-            let stretch = self.ring_passed[hour].pass(now / rest - 1.0, share);
+            let of = |lengths: &[f64]| -> f64 {
+                lengths[hour * PIECES..(hour + 1) * PIECES].iter().sum()
+            };
+            let grown = of(&lengths) / of(&self.ring_rest) - 1.0;
+            let stretch = self.ring_passed[hour].pass(grown, share);
             self.now[2] = self.now[2].max(stretch);
             e.sectors.edge[hour] = e.sectors.edge[hour].max(stretch);
         }
@@ -227,8 +222,7 @@ impl Tissues {
             let to = if which == 0 { &mut e.sectors.lens } else { &mut e.sectors.iris };
             for (hour, held) in held.iter_mut().enumerate() {
                 let apart = (held.shell.of(at) - held.lens.of(at)).norm() - held.rest;
-                let apart = apart / self.read[which];
-                let pulled = held.passed.pass(apart, share);
+                let pulled = held.passed.pass(apart / self.read[which], share);
                 self.now[3 + which] = self.now[3 + which].max(pulled);
                 to[hour] = to[hour].max(pulled);
             }
