@@ -1,14 +1,15 @@
 //! Forces against differences of energy, and closed forms.
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, quarters};
 use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
+use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{
     BallSpring, HARD, MovingObject, Object, ObjectOutline, ObjectSurface,
 };
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::forces::{plain::PlainCells, rows::CellRows, shell::Shell};
-use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::contact::Target};
 use crate::models::paper::forces::kernel::vector_sets;
 use fearless_simd::Level;
 use proptest::prelude::*;
@@ -27,6 +28,15 @@ fn free_eye(level: u32) -> AxisymmetricEye {
 /// Along the axis and from it, of the nodes of the shell at rest.
 fn shell_at_rest(eye: &AxisymmetricEye) -> (Vec<f64>, Vec<f64>) {
     eye.mesh.shell.iter().map(|&node| eye.at(node)).unzip()
+}
+
+/// A hard surface, a foundation of this stiffness on a body of this radius, and one with a cap.
+pub(crate) fn surfaces(stiffness: f64, radius: f64) -> [ObjectSurface; 3] {
+    [
+        ObjectSurface::RIGID,
+        ObjectSurface::foundation(stiffness, radius),
+        ObjectSurface::capped(stiffness, 2e5, radius),
+    ]
 }
 
 fn sphere(surface: ObjectSurface) -> Object {
@@ -72,10 +82,8 @@ proptest! {
             .collect();
         let still = rest.respond(corners(&at), [(0.0, 0.0); 4]);
         let forces: Vec<f64> = still.force.iter().flat_map(|f| [f.0, f.1]).collect();
-        let energy = |at: &[f64]| rest.respond(corners(at), [(0.0, 0.0); 4]).energy;
-        let error = worst(&at, 1e-8, &forces, energy);
+        let error = worst(&at, 1e-8, &forces, |at| rest.energy(corners(at)));
         prop_assert!(error < 1e-5, "{error:e}");
-        prop_assert!((rest.energy(corners(&at)) / still.energy - 1.0).abs() < 1e-9);
         prop_assert_eq!(still.loss, 0.0);
 
         let v = corners(&speeds);
@@ -122,11 +130,8 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let still = vec![0.0; n];
     let rest = shell_at_rest(&eye);
     let rest = [rest.0, rest.1].concat();
-    let cylinder = ObjectOutline::Cylinder(5e-3, 1e-3);
-    let soft = ObjectSurface::foundation(1e9, 5e-3);
-    for outline in [ObjectOutline::Sphere(5e-3), cylinder] {
-        let hollow = ObjectSurface::capped(1e9, 2e5, 5e-3);
-        for surface in [ObjectSurface::RIGID, soft, hollow] {
+    for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
+        for surface in surfaces(1e9, 5e-3) {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
                 let object = Object { outline, ..sphere(surface) };
                 let respond = |at: &[f64]| {
@@ -186,17 +191,17 @@ fn a_foundation_is_smooth_and_its_cap_holds_until_most_of_its_depth_is_used_up()
     assert_eq!(ObjectSurface::RIGID.stiffness, HARD);
 }
 
-/// How an object comes off a rigid wall: its velocity away from it over that at which it came, its
-/// greatest force, and the error of its balance of energy over what it brought.
-fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
+/// How an object comes off a rigid wall: its velocity away from it over that at which it came, the
+/// greatest force of its spring, and the error of its balance of energy over what it brought.
+fn bounce(object: &Object) -> (f64, f64, f64) {
     let mut projectile = MovingObject::new(object, 0.0);
-    let face = Face::wall(0.0, object.outline.radius(), rings);
+    let face = Face::wall(0.0, object.outline.radius(), 200);
     let brought = projectile.kinetic(0.0);
     let (mut lost, mut strongest, mut missing): (f64, f64, f64) = (0.0, 0.0, 0.0);
     loop {
         projectile.inner();
+        strongest = strongest.max(projectile.force[0]);
         let push = face.push(object, &mut projectile);
-        strongest = strongest.max(push.force);
         let longest = 1e-3 * object.outline.radius() / object.speed;
         let step = (0.03 * projectile.limit.min(push.limit)).min(longest);
         let total = projectile.kinetic(step) + projectile.stored() + push.energy + lost;
@@ -216,28 +221,22 @@ fn ball(surface: ObjectSurface) -> Object {
 
 #[test]
 fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
-    for restitution in [1.0, 0.8, 0.5, 0.3] {
+    for restitution in [1.0, 0.8, 0.5, 0.3, 0.0] {
         for surface in [
             ObjectSurface::foundation(1e9, 20e-3),
             ObjectSurface::capped(1e9, 2e5, 20e-3),
             ObjectSurface::splashing(1e5, 20e-3),
         ] {
             let object = ball(surface.losing(restitution));
-            let (back, _, missing) = bounce(&object, 200);
+            let (back, _, missing) = bounce(&object);
             // The loss is felt in full from a tenth of the speed of arrival on, a hundredth of the
             // energy, and less on the flanks, where the surface gives way more slowly.
             let kept = restitution * restitution;
-            assert!((back * back - kept).abs() < 0.02, "{surface:?} {back}");
+            let off = if restitution > 0.0 { 0.02 } else { 1.0 / 30.0 };
+            assert!((back * back - kept).abs() < off, "{surface:?} {restitution} {back}");
             assert!(missing < 0.01, "{surface:?} {missing}");
         }
     }
-}
-
-#[test]
-fn a_surface_that_gives_nothing_back_keeps_a_thirtieth_of_its_energy_at_most() {
-    let object = ball(ObjectSurface::capped(1e9, 2e5, 20e-3).losing(0.0));
-    let (back, ..) = bounce(&object, 200);
-    assert!(back * back < 1.0 / 30.0, "{back}");
 }
 
 #[test]
@@ -251,26 +250,12 @@ fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
             surface: ObjectSurface::RIGID,
             spring: Some(BallSpring { stiffness, restitution }),
         };
+        let (back, strongest, missing) = bounce(&object);
         // The surface itself, a twentieth of the mass, stays where it strikes.
-        let mut projectile = MovingObject::new(&object, 0.0);
-        let (mut strongest, mut lost, mut time): (f64, f64, f64) = (0.0, 0.0, 0.0);
-        let brought = projectile.kinetic(0.0);
-        let face = Face::wall(0.0, 33e-3, 200);
-        while time < 6e-3 {
-            projectile.inner();
-            strongest = strongest.max(projectile.force[0]);
-            let push = face.push(&object, &mut projectile);
-            let step = 0.1 * projectile.limit.min(push.limit).min(1e-5);
-            lost += projectile.advance(step, step);
-            time += step;
-            let total = projectile.kinetic(0.0) + projectile.stored() + push.energy + lost;
-            assert!((total / brought - 1.0).abs() < 0.01, "{time} {total}");
-        }
-        let core = 0.95 * mass;
-        let expected = (stiffness * core).sqrt() * speed;
+        let expected = (stiffness * 0.95 * mass).sqrt() * speed;
         assert!((strongest / expected - 1.0).abs() < 0.01, "{strongest} {expected}");
-        let back = -projectile.velocity() / speed;
         assert!((back - 0.95 * restitution).abs() < 0.03, "{back}");
+        assert!(missing < 0.01, "{missing}");
     }
 }
 
@@ -362,10 +347,7 @@ fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
     let mut cells = CellRows::new(&eye, Level::new());
     let mut state = shaken(&cells, &eye);
     let whole = cells.forces(&mut state).least_corner;
-    let at = |node: usize| {
-        let place = cells.place(node);
-        (state.x[place], state.r[place])
-    };
+    let at = |node: usize| state.at(cells.place(node));
     let each = eye.cells.iter().map(|cell| least_triangle(&eye, &cell.corners, at));
     let least = each.fold(f64::INFINITY, f64::min);
     assert!(least != 1.0 && (least - whole).abs() < 1e-9, "{least} {whole}");
@@ -463,69 +445,36 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
             let at: Vec<f64> =
                 cell.corners.iter().flat_map(|&node| [eye.at(node).0, eye.at(node).1]).collect();
             let p = corners(&at);
-            let centre = (
-                0.25 * p.iter().map(|p| p.0).sum::<f64>(),
-                0.25 * p.iter().map(|p| p.1).sum::<f64>(),
-            );
-            let middle = |a: (f64, f64), b: (f64, f64)| (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
             // 1/sqrt(mass) of each coordinate; none on the axis, where r is held.
-            let root: Vec<f64> = (0..8)
-                .map(|k| {
-                    let (i, point) = (k / 2, p[k / 2]);
-                    let (after, before) = (p[(i + 1) % 4], p[(i + 3) % 4]);
-                    let quarter = [point, middle(point, after), centre, middle(point, before)];
-                    let mass = rest.density * volume(quarter).0;
-                    let held = k % 2 == 1 && point.1 == 0.0;
-                    if held { 0.0 } else { 1.0 / mass.sqrt() }
-                })
-                .collect();
+            let root: [f64; 8] = std::array::from_fn(|k| {
+                let held = k % 2 == 1 && p[k / 2].1 == 0.0;
+                if held { 0.0 } else { 1.0 / (rest.density * quarters(p)[k / 2]).sqrt() }
+            });
             let force = |at: &[f64], v: &[f64]| -> Vec<f64> {
                 let response = rest.respond(corners(at), corners(v));
                 response.force.iter().flat_map(|f| [f.0, f.1]).collect()
             };
-            let still = [0.0; 8];
-            let largest = |slope: &dyn Fn(usize) -> Vec<f64>| {
-                let columns: Vec<Vec<f64>> = (0..8).map(slope).collect();
+            // The largest eigenvalue by what each place or velocity, changed by so much, resists.
+            let largest = |dx: f64, dv: f64| {
+                let column = |k: usize| -> Vec<f64> {
+                    let changed = |sign: f64| {
+                        let (mut at, mut v) = (at.clone(), [0.0; 8]);
+                        (at[k], v[k]) = (at[k] + sign * dx, sign * dv);
+                        force(&at, &v)
+                    };
+                    let resisted = changed(-1.0).into_iter().zip(changed(1.0));
+                    resisted.map(|(a, b)| (a - b) / (2.0 * (dx + dv))).collect()
+                };
+                let columns: Vec<_> = (0..8).map(column).collect();
                 let matrix = SMatrix::<f64, 8, 8>::from_fn(|i, k| {
                     0.5 * (columns[k][i] + columns[i][k]) * root[i] * root[k]
                 });
                 matrix.symmetric_eigenvalues().max()
             };
-            let changed = |of: &[f64], k: usize, by: f64| {
-                let mut other = of.to_vec();
-                other[k] += by;
-                other
-            };
-            let (dx, dv) = (1e-8, 1e-6);
-            let square = largest(&|k| {
-                let (a, b) =
-                    (force(&changed(&at, k, -dx), &still), force(&changed(&at, k, dx), &still));
-                a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dx)).collect()
-            });
-            let damping = largest(&|k| {
-                let (a, b) =
-                    (force(&at, &changed(&still, k, -dv)), force(&at, &changed(&still, k, dv)));
-                a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dv)).collect()
-            });
+            let (square, damping) = (largest(1e-8, 0.0), largest(0.0, 1e-6));
             let h = rest.respond(p, [(0.0, 0.0); 4]).limit;
             let used = 0.25 * h * h * square + 0.5 * h * damping;
             assert!(used <= 1.0, "{:?} {used}", cell.corners);
         }
     }
-}
-
-#[test]
-fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
-    let free = free_eye(1);
-    let held = AxisymmetricEye::new(&Parameters::default(), 1);
-    let globe = |eye: &AxisymmetricEye| {
-        let cells = eye.cells.iter();
-        cells.filter(|c| c.region == crate::models::axisymmetric::eye::Tissue::Globe).count()
-    };
-    assert_eq!(globe(&free), free.cells.len());
-    assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());
-    let mut cells = CellRows::new(&free, Level::new());
-    assert_eq!(cells.pressures().len(), free.cells.len());
-    let mut state = cells.rest();
-    assert!(cells.forces(&mut state).loss == 0.0);
 }

@@ -6,15 +6,14 @@
 //!   `object` and `contact` what hits them, `face` the bone beside them.
 //! * `time`: the leapfrog through the window.
 //! * `recording`: `record` and `sensor` read off what `account` and `results` keep.
-//! * `case` compiles a scenario, `model` is the trait [`EyeModel`](crate::run::model::EyeModel);
-//!   `rules`, `readings`, `flags` and `drawing` are its parts.
+//! * `case` compiles a scenario and fills the trait [`EyeModel`](crate::run::model::EyeModel), of
+//!   which `rules`, `readings`, `flags` and `drawing` are parts.
 
 pub mod case;
 mod drawing;
 pub mod eye;
 pub(crate) mod flags;
 pub mod forces;
-mod model;
 pub mod readings;
 pub mod recording;
 pub(crate) mod rules;
@@ -33,6 +32,6 @@ pub use crate::models::axisymmetric::time::until::Until;
 #[cfg(test)]
 mod case_tests;
 #[cfg(test)]
-mod forces_tests;
+pub(crate) mod forces_tests;
 #[cfg(test)]
 mod window_tests;

@@ -19,22 +19,16 @@ pub(crate) fn raise(
     simulated: f64,
 ) -> Vec<Flag> {
     let mut raised = Raised::default();
-    let asked = Asked {
-        window: case.window,
-        pulse: None,
-        // What holds gelatin stops nothing here.
-        rim: ORBITS_RIM,
-    };
+    // What holds gelatin stops nothing here.
+    let asked = Asked { window: case.window, pulse: None, rim: ORBITS_RIM };
     of_blow(&asked, &extremes.common, (readings, simulated), &mut raised);
     let spent = extremes.energy_at_bone;
     if spent > BONE_BREAKS {
-        raised.raise(
-            FlagKind::BoneMayBreak,
-            format!(
-                "the object spent {spent:.0} J at the rim, its own squeezing included; a baseball of \
-                 {BONE_BREAKS:.0} J breaks a cheekbone in half of all cases; here bone does not break"
-            ),
+        let said = format!(
+            "the object spent {spent:.0} J at the rim, its own squeezing included; a baseball of \
+             {BONE_BREAKS:.0} J breaks a cheekbone in half of all cases; here bone does not break"
         );
+        raised.raise(FlagKind::BoneMayBreak, said);
     }
     raised.flags()
 }

@@ -4,6 +4,7 @@
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
+use crate::models::axisymmetric::forces_tests::surfaces;
 use crate::models::paper::forces::kernel::vector_sets;
 use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
 use crate::models::spatial::forces::cell::{self, Eight, Fields};
@@ -157,19 +158,9 @@ fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
 
 #[test]
 fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
-    let eye = SpatialEye::with_core(
-        &Parameters {
-            surround: None,
-            lens: crate::models::axisymmetric::eye::parameters::LensParameters {
-                half_axes: (1e-9, 1e-9),
-                ..Parameters::default().lens
-            },
-            ..Parameters::default()
-        },
-        None,
-        Extent::Full,
-        4,
-    );
+    let mut free = Parameters { surround: None, ..Parameters::default() };
+    free.lens.half_axes = (1e-9, 1e-9);
+    let eye = SpatialEye::with_core(&free, None, Extent::Full, 4);
     let by = Matrix3::new(1.1, 0.05, -0.02, 0.03, 0.95, 0.04, -0.06, 0.01, 1.02);
     // Without a change of volume: corners that see one push on their nodes by their shapes.
     let by = by / libm::cbrt(by.determinant());
@@ -235,11 +226,7 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let way = Vector3::new(1.0, -0.5, 0.3).normalize();
     let mut target = Target::new(&eye, 0.0);
     for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
-        for surface in [
-            ObjectSurface::RIGID,
-            ObjectSurface::foundation(1e9, 5e-3),
-            ObjectSurface::capped(1e9, 2e5, 5e-3),
-        ] {
+        for surface in surfaces(1e9, 5e-3) {
             for depth in [0.3e-3, 1.5e-3, 3.4e-3] {
                 let object = object(outline, surface);
                 let at = way * (depth - 12e-3 - object.reach());
@@ -276,11 +263,7 @@ fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
     let eye = SpatialEye::new(&parameters, rim, Extent::Full, 1);
     let rim = Rim::new(&eye).unwrap();
     for outline in [ObjectOutline::Sphere(20e-3), ObjectOutline::Cylinder(20e-3, 2e-3)] {
-        for surface in [
-            ObjectSurface::RIGID,
-            ObjectSurface::foundation(1e8, 20e-3),
-            ObjectSurface::capped(1e8, 2e5, 20e-3),
-        ] {
+        for surface in surfaces(1e8, 20e-3) {
             let object = object(outline, surface);
             let way = Vector3::new(1.0, -0.3, -0.2).normalize();
             let touch = rim.first_touch(outline, (way, Vector3::zeros())).unwrap();

@@ -7,8 +7,9 @@
 //!   `bone` what stops the object and the globe.
 //! * `time`: the leapfrog through the window.
 //! * `recording`: `record`, `shape`, `tissue` and `sensor` read off what `results` keeps.
-//! * `case` is an eye ready to be hit, `model` the trait [`EyeModel`](crate::run::model::EyeModel);
-//!   `rules`, `readings`, `flags` and `drawing` are its parts.
+//! * `case` is an eye ready to be hit, which fills the trait
+//!   [`EyeModel`](crate::run::model::EyeModel); `rules`, `readings`, `flags` and `drawing` are its
+//!   parts.
 //!
 //! Tissues, the surfaces of objects and the measures of injury are those of
 //! [`axisymmetric`](crate::models::axisymmetric): straight on and on a round support both models
@@ -21,7 +22,6 @@ mod flags;
 pub(crate) mod forces;
 #[cfg(test)]
 mod forces_tests;
-mod model;
 mod readings;
 pub mod recording;
 pub(crate) mod rules;

@@ -13,11 +13,12 @@
 pub mod mesh;
 pub mod parameters;
 
+use crate::models::axisymmetric::forces::cell::volume;
 use crate::run::places::Region as Part;
 use mesh::{Layers, Mesh};
 use nalgebra::Point2;
 use parameters::{Material, Parameters};
-use std::f64::consts::{FRAC_PI_3, PI};
+use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// Points around the axis that means over the azimuth take; those of one half, as the other
@@ -109,21 +110,19 @@ pub struct AxisymmetricEye {
     pub fixed: Vec<bool>,
 }
 
-/// (pi/3) (b - a) (ra^2 + ra rb + rb^2): the volume between an edge and the axis, signed.
-fn frustum(a: (f64, f64), b: (f64, f64)) -> f64 {
-    FRAC_PI_3 * (b.0 - a.0) * (a.1 * a.1 + a.1 * b.1 + b.1 * b.1)
-}
-
-/// Volume of the ring whose section is a polygon with corners anticlockwise.
-pub fn volume(corners: &[(f64, f64)]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    -corners.iter().zip(next).map(|(&a, &b)| frustum(a, b)).sum::<f64>()
-}
-
 fn middle(points: &[(f64, f64)]) -> (f64, f64) {
     let n = points.len() as f64;
     let sum = points.iter().fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
     (sum.0 / n, sum.1 / n)
+}
+
+/// Volumes of the quarters of a cell next to each of its corners.
+pub(crate) fn quarters(p: [(f64, f64); 4]) -> [f64; 4] {
+    let centre = middle(&p);
+    std::array::from_fn(|i| {
+        let (before, after) = (p[(i + 3) % 4], p[(i + 1) % 4]);
+        volume([p[i], middle(&[p[i], after]), centre, middle(&[p[i], before])]).0
+    })
 }
 
 /// Middle of the piece `i` of `count` of a whole.
@@ -243,13 +242,9 @@ impl AxisymmetricEye {
     /// function linear along it gives.
     fn spread_mass(&mut self) {
         for cell in &self.cells {
-            let points = cell.corners.map(|node| self.at(node));
-            let centre = middle(&points);
-            for i in 0..4 {
-                let (before, after) = (points[(i + 3) % 4], points[(i + 1) % 4]);
-                let quarter =
-                    [points[i], middle(&[points[i], after]), centre, middle(&[points[i], before])];
-                self.mass[cell.corners[i]] += cell.material.density * volume(&quarter);
+            let quarters = quarters(cell.corners.map(|node| self.at(node)));
+            for (&node, quarter) in cell.corners.iter().zip(quarters) {
+                self.mass[node] += cell.material.density * quarter;
             }
         }
         for (i, segment) in self.segments.iter().enumerate() {
@@ -333,7 +328,7 @@ mod tests {
     /// What its cells have of something, by their volume.
     fn over_cells(eye: &AxisymmetricEye, of: impl Fn(&Cell<4>) -> f64) -> f64 {
         let each = eye.cells.iter();
-        each.map(|cell| of(cell) * volume(&cell.corners.map(|node| eye.at(node)))).sum()
+        each.map(|cell| of(cell) * volume(cell.corners.map(|node| eye.at(node))).0).sum()
     }
 
     #[test]

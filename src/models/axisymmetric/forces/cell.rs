@@ -59,8 +59,6 @@ pub(crate) struct Response {
     pub pressure: f64,
     /// m3.
     pub volume: f64,
-    /// Stored, J.
-    pub energy: f64,
     /// Power lost to viscosity, W.
     pub loss: f64,
     /// Longest stable step, s.
@@ -121,7 +119,7 @@ pub(crate) fn volume<const N: usize>(p: [Point; N]) -> (f64, [Point; N]) {
     (sum, gradient)
 }
 
-/// The volume alone.
+/// The volume alone, for less work.
 fn swept<const N: usize>(p: [Point; N]) -> f64 {
     let edge = |i: usize| {
         let (a, b) = (p[i], p[(i + 1) % N]);
@@ -200,7 +198,6 @@ impl Rest {
             force: [(0.0, 0.0); 4],
             pressure,
             volume: true_volume,
-            energy: self.bulk * self.volume * (j - 1.0 - libm::log(j)),
             loss: -artificial * expansion * now,
             limit: self.limit(j, length, expansion),
             least_triangle: f64::INFINITY,
@@ -217,13 +214,12 @@ impl Rest {
             let own_rate = rate(&slope, &corners.map(|k| v[k])) / vt;
             response.limit = response.limit.min(LOSS_IN_STEP / (-own_rate).max(f64::MIN_POSITIVE));
             let shape_rate = own_rate - expansion;
-            let (over, stored) = subzonal(jt);
+            let (over, _) = subzonal(jt);
             let viscous = 0.5 * eta * shape_rate;
             for (corner, slope) in corners.into_iter().zip(slope) {
                 response.push(corner, 0.5 * self.subzonal * over - viscous, slope);
             }
             whole += viscous * vt / now;
-            response.energy += 0.5 * self.subzonal * at_rest * stored;
             response.loss += viscous * shape_rate * vt;
         }
         for (corner, slope) in gradient.into_iter().enumerate() {
@@ -233,7 +229,7 @@ impl Rest {
         response
     }
 
-    /// Stored, J, with corners at `p`: what [`Self::respond`] gives, for less work.
+    /// Stored, J, with corners at `p`.
     pub fn energy(&self, p: [Point; 4]) -> f64 {
         let j = (swept(p) / self.volume).max(FLAT);
         let mut energy = self.bulk * self.volume * (j - 1.0 - libm::log(j));
@@ -264,8 +260,6 @@ impl Rest {
         let (strain, isochoric) = self.strain(section);
         let Strain { xx, xr, rr, hh, third } = strain;
         let g = self.shear * isochoric * self.volume;
-        response.energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
-
         let (va, vb) = diagonals(v);
         let l_xx = (va.0 * b.1 - vb.0 * a.1) / det;
         let l_xr = (vb.0 * a.0 - va.0 * b.0) / det;

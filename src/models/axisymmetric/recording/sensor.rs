@@ -1,9 +1,9 @@
 //! What is read off the moving eye as instruments would: a pressure sensor at the back, and
 //! accelerometers at the four monitored places.
 
-use crate::models::axisymmetric::eye::{
-    AxisymmetricEye, Tissue, distance, front_angle, part, upon, volume,
-};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
+use crate::models::axisymmetric::eye::{distance, front_angle, part, upon};
+use crate::models::axisymmetric::forces::cell::volume;
 use crate::models::axisymmetric::forces::state::NodeState;
 use nalgebra::{SVector, Vector2};
 use std::collections::VecDeque;
@@ -37,7 +37,7 @@ fn near(corners: &[(f64, f64); 4]) -> f64 {
 pub(crate) fn weights(eye: &AxisymmetricEye) -> Vec<(f64, f64)> {
     weighed(eye.cells.iter().map(|cell| {
         let p = cell.corners.map(|n| eye.at(n));
-        (cell.region, volume(&p), near(&p))
+        (cell.region, volume(p).0, near(&p))
     }))
 }
 

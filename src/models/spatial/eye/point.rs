@@ -2,6 +2,7 @@
 
 use crate::models::spatial::eye::mesh::{Extent, Place};
 use crate::models::spatial::eye::{Cell, SpatialEye, share_of, shares, upon, within};
+use crate::models::spatial::forces::state::vector;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 /// Places or velocities of all nodes, by component.
@@ -28,7 +29,7 @@ impl Point {
     pub fn of(&self, nodes: &Nodes) -> Vector3<f64> {
         let mut sum = Vector3::zeros();
         for &(node, share) in &self.shares {
-            sum += Vector3::new(nodes[0][node], nodes[1][node], nodes[2][node]) * share;
+            sum += vector(nodes, node) * share;
         }
         if self.mirrored {
             sum.z = -sum.z;
