@@ -333,7 +333,7 @@ fn shaken(cells: &dyn Cells, eye: &AxisymmetricEye) -> NodeState {
     state
 }
 
-fn numbers(sums: &CellSums) -> [f64; 6] {
+pub(crate) fn numbers(sums: &CellSums) -> [f64; 6] {
     [sums.limit, sums.loss, sums.pressure, sums.sensor, sums.volume, sums.least_corner]
 }
 

@@ -4,9 +4,9 @@
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
-use crate::models::axisymmetric::forces_tests::surfaces;
+use crate::models::axisymmetric::forces_tests::{numbers, surfaces};
 use crate::models::paper::forces::kernel::vector_sets;
-use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
+use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim, point::Nodes};
 use crate::models::spatial::forces::cell::{self, Eight, Fields};
 use crate::models::spatial::forces::state::{Cells, NodeState, vector};
 use crate::models::spatial::forces::{contact::Target, math::Plain, object::MovingObject};
@@ -15,6 +15,7 @@ use crate::scenario;
 use fearless_simd::Level;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
@@ -24,14 +25,13 @@ fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
 
 /// A state whose nodes have gone somewhere, as a function of where they rest.
 fn moved(eye: &SpatialEye, to: impl Fn(Vector3<f64>) -> Vector3<f64>) -> NodeState {
-    let mut state = NodeState::new(eye);
-    for (node, at) in eye.mesh.at.iter().enumerate() {
-        let to = to(*at);
-        for k in 0..3 {
-            state.at[k][node] = to[k];
-        }
-    }
-    state
+    let at = by_component(eye.mesh.at.iter().map(|at| to(*at)));
+    NodeState { at, ..NodeState::new(eye) }
+}
+
+/// Vectors of all nodes, by component.
+fn by_component(of: impl Iterator<Item = Vector3<f64>> + Clone) -> Nodes {
+    std::array::from_fn(|k| of.clone().map(|of| of[k]).collect())
 }
 
 /// A displacement without any order, as large as `size`.
@@ -141,12 +141,8 @@ fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
     let turn = Rotation3::from_euler_angles(0.3, -0.7, 1.1);
     let mut state = moved(&eye, |at| turn * at + Vector3::new(1e-3, 2e-3, -3e-3));
     let spin = Vector3::new(500.0, -300.0, 800.0);
-    for node in 0..eye.mesh.at.len() {
-        let speed = spin.cross(&vector(&state.at, node)) + Vector3::new(3.0, 4.0, 5.0);
-        for k in 0..3 {
-            state.speed[k][node] = speed[k];
-        }
-    }
+    let speed = |node| spin.cross(&vector(&state.at, node)) + Vector3::new(3.0, 4.0, 5.0);
+    state.speed = by_component((0..eye.mesh.at.len()).map(speed));
     let mut cells = PlainCells::new(&eye);
     let sums = cells.forces(&mut state);
     let shell = Shell::new(&eye, Level::new()).forces(&mut state);
@@ -167,17 +163,12 @@ fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
     let mut state = moved(&eye, |at| by * at);
     let mut cells = PlainCells::new(&eye);
     cells.forces(&mut state);
-    let shell: std::collections::BTreeSet<usize> =
-        eye.quads.iter().flat_map(|quad| quad.corners).collect();
-    let size = |node: usize| vector(&state.force, node).norm();
-    let (mut inside, mut outside) = (0.0_f64, 0.0_f64);
-    for node in 0..eye.mesh.at.len() {
-        if shell.contains(&node) {
-            outside = outside.max(size(node));
-        } else {
-            inside = inside.max(size(node));
-        }
-    }
+    let shell: BTreeSet<usize> = eye.quads.iter().flat_map(|quad| quad.corners).collect();
+    let largest = |on_shell: bool| {
+        let nodes = (0..eye.mesh.at.len()).filter(|node| shell.contains(node) == on_shell);
+        nodes.map(|node| vector(&state.force, node).norm()).fold(0.0, f64::max)
+    };
+    let (inside, outside) = (largest(false), largest(true));
     // What rounding leaves of the corners' stiffness.
     assert!(inside < 1e-10 && outside > 1e5 * inside, "{inside:e} {outside:e}");
 }
@@ -187,11 +178,8 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
     for extent in [Extent::Half, Extent::Full] {
         let eye = eye(Some(Surround::orbit()), extent);
         let mut state = moved(&eye, |at| scattered(at, 1.5e-4));
-        for k in 0..3 {
-            for node in 0..eye.mesh.at.len() {
-                state.speed[k][node] = 2e5 * (state.at[k][node] - eye.mesh.at[node][k]);
-            }
-        }
+        let speed = |node| (vector(&state.at, node) - eye.mesh.at[node]) * 2e5;
+        state.speed = by_component((0..eye.mesh.at.len()).map(speed));
         let mut plain = state.clone();
         let sums = PlainCells::new(&eye).forces(&mut plain);
         let mut pressures = Vec::new();
@@ -199,16 +187,12 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
             let mut rows = CellRows::new(&eye, level);
             let mut own = state.clone();
             let told = rows.forces(&mut own);
-            let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
-            assert!(near(told.limit, sums.limit) && near(told.loss, sums.loss));
-            assert!(near(told.pressure, sums.pressure) && near(told.sensor, sums.sensor));
-            assert!(near(told.volume, sums.volume));
-            assert!(near(told.least_corner, sums.least_corner));
+            for (a, b) in numbers(&told).into_iter().zip(numbers(&sums)) {
+                assert!((a / b - 1.0).abs() < 1e-9, "{level:?} {a} {b}");
+            }
             let largest = largest(&plain.force);
-            for k in 0..3 {
-                for (a, b) in own.force[k].iter().zip(&plain.force[k]) {
-                    assert!((a - b).abs() < 1e-11 * largest, "{level:?}");
-                }
+            for (a, b) in own.force.iter().flatten().zip(plain.force.iter().flatten()) {
+                assert!((a - b).abs() < 1e-11 * largest, "{level:?}");
             }
             pressures.push(rows.pressures());
         }

@@ -51,8 +51,6 @@ pub(crate) struct Touch {
     pub loss: f64,
     /// Farthest from the axis that the shell lies within [`TOUCHING`] of the object, m.
     pub radius: f64,
-    /// Segments of the shell that were looked at.
-    pub segments: usize,
 }
 
 /// How far from the axis the object is touched between two points with their depths in it.
@@ -123,7 +121,6 @@ impl Target {
             if x[i].min(x[i + 1]) > front {
                 continue;
             }
-            touch.segments += 1;
             let (mut steepest, mut damping): (f64, f64) = (0.0, 0.0);
             for (point, area) in areas.iter().enumerate() {
                 let s = part(point, POINTS);

@@ -22,14 +22,12 @@
 //! they closed, and near the turning point it goes smoothly from one to the other. A ball that
 //! bursts or flows (e = 0) gives back nothing.
 
-use crate::models::axisymmetric::forces::object_spring::{ObjectSpring, Squeezed};
+use crate::models::axisymmetric::forces::object_spring::{Core, hysteresis};
 use crate::run::drawing::DrawnObject;
 use nalgebra::Vector2;
 
 /// Stiffness of contact between hard things, in Pa/m.
 pub const HARD: f64 = 2e12;
-/// Share of the mass that is the surface of an object on a spring.
-const SURFACE_SHARE: f64 = 0.05;
 /// Depth of the foundation of a solid ball and of one with a cap, over its radius. Less than 1, so
 /// that the middle of a ball stays in front of the eye.
 const SOLID_DEPTH: f64 = 0.7;
@@ -48,22 +46,6 @@ const AHEAD: f64 = 3e-6;
 const NEARLY: f64 = 0.9;
 /// A liquid has come to its pressure where this share of its radius is used up.
 const SPLASH: f64 = 0.05;
-
-/// Speed of opening over the speed of arrival at which all of the loss is felt.
-const FULL_LOSS: f64 = 0.1;
-
-/// How much of a force is left at a speed of `closing`, m/s, of something that gives back the
-/// share `kept` of its energy and came at `speed`; and how fast that changes with closing, in s/m.
-#[inline]
-pub(crate) fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
-    let full = FULL_LOSS * speed;
-    if kept >= 1.0 || full <= 0.0 {
-        (1.0, 0.0)
-    } else {
-        let opening = (-closing / full).clamp(0.0, 1.0);
-        (1.0 - (1.0 - kept) * opening, (1.0 - kept) / full)
-    }
-}
 
 /// Outline, with the axis of symmetry along its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -305,46 +287,6 @@ impl Object {
                 }
             }
         }
-    }
-}
-
-/// The spring between surface and core, and what the two weigh.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Core {
-    /// Its law and the share of its energy that it gives back; none of a body that is all surface.
-    pub spring: Option<(ObjectSpring, f64)>,
-    /// Of surface and core, kg.
-    pub mass: [f64; 2],
-}
-
-impl Core {
-    pub fn new(object: &Object) -> Self {
-        let spring = object.spring.map(|spring| {
-            let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
-            (law, spring.restitution * spring.restitution)
-        });
-        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
-        Self { spring, mass: [surface, object.mass - surface] }
-    }
-
-    /// Energy of the spring, J, squeezed by so many m.
-    pub fn stored(&self, squeezed: f64) -> f64 {
-        self.spring.map_or(0.0, |(law, _)| law.at(squeezed).energy)
-    }
-
-    /// How far in front of where it is the surface may yet swing, m, where both ends move `apart`
-    /// at so many m/s.
-    pub fn swing(&self, apart: f64, squeezed: f64) -> f64 {
-        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, squeezed))
-    }
-
-    /// The longest stable step, s, of the squeezed spring, whose loss changes by `slope` per m/s.
-    pub fn limit(&self, squeezed: &Squeezed, slope: f64) -> f64 {
-        // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
-        let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
-        let w = (squeezed.slope / reduced).sqrt();
-        let z = 0.5 * squeezed.force.abs() * slope / (w * reduced);
-        2.0 / w * ((1.0 + z * z).sqrt() - z)
     }
 }
 

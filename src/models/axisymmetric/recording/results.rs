@@ -114,19 +114,19 @@ impl Energy {
     }
 }
 
-/// What the engine gives of one run.
+/// What the engine gives of one run, with extremes `E` and momentum `M`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct EngineRun {
+pub struct EngineRun<E = Extremes, M = f64> {
     /// Largest values over every step.
-    pub extremes: Extremes,
+    pub extremes: E,
     /// Traces, if they were asked for.
     pub traces: Option<Traces>,
     /// Frames, if they were asked for.
     pub frames: Vec<Frame>,
     /// Energies at the end.
     pub energy: Energy,
-    /// Momentum of eye and object along the blow at the end, kg m/s.
-    pub momentum: f64,
+    /// Momentum of eye and object at the end, kg m/s; of the axisymmetric eye along the blow.
+    pub momentum: M,
     /// Steps taken.
     pub steps: usize,
     /// Simulated time, s.
@@ -134,8 +134,4 @@ pub struct EngineRun {
     /// Whether the run ended before its window because nothing had grown for long: a rule, not a
     /// proof.
     pub settled: bool,
-    /// Evaluations of cells.
-    pub cell_evaluations: usize,
-    /// Evaluations of segments of the shell that an object came near to.
-    pub contact_evaluations: usize,
 }

@@ -200,7 +200,7 @@ impl Builder {
 }
 
 /// Builds the mesh of a core of 2 `half` cells a side in a globe of `radius` m.
-pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dyn Cavity>) -> Mesh {
+pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<Cavity>) -> Mesh {
     let half_side = i64::try_from(half).expect("a mesh that fits in memory");
     let mut builder =
         Builder { half: half_side, extent, mesh: Mesh::default(), known: HashMap::new() };
@@ -230,7 +230,7 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dy
             direction * (radius + (cavity.distance(direction) - radius) * share)
         });
     }
-    builder.mesh.hold(cavity);
+    builder.mesh.hold(&cavity);
     let outer = builder.surface().into_iter().map(|of| builder.node(layers + around, of));
     let held = |node: &usize| cavity.behind(builder.mesh.at[*node]) >= -1e-9;
     builder.mesh.wall = outer.filter(held).collect();
@@ -239,7 +239,7 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dy
 
 impl Mesh {
     /// Leaves out what lies in front of the opening: of a cell the mean of its corners.
-    fn hold(&mut self, cavity: &dyn Cavity) {
+    fn hold(&mut self, cavity: &Cavity) {
         let at = &self.at;
         self.cells.retain(|(corners, place)| {
             let behind: f64 = corners.iter().map(|n| cavity.behind(at[*n])).sum();

@@ -16,7 +16,7 @@ use crate::models::axisymmetric::eye::part;
 pub use crate::models::axisymmetric::eye::{Cell, Tissue};
 use mesh::{Extent, Mesh};
 use nalgebra::Vector3;
-use orbit::{Cavity, Orbit, OrbitRim, Round, seen_from_the_middle};
+use orbit::{Cavity, OrbitRim, seen_from_the_middle};
 
 /// Points along each side of a quad of the shell, and of a cell, that means over them take.
 const ACROSS: usize = 4;
@@ -171,13 +171,8 @@ impl SpatialEye {
             extent == Extent::Full || rim.is_none_or(|rim| rim.is_round()),
             "half of an eye has a round rim"
         );
-        let radius = parameters.radius;
-        let surround = parameters.surround.as_ref();
-        let cavity: Option<Box<dyn Cavity>> = surround.map(|surround| match rim {
-            Some(rim) => Box::new(Orbit { rim, wall: surround.wall, radius }) as Box<dyn Cavity>,
-            None => Box::new(Round { wall: surround.wall, opening: surround.opening }),
-        });
-        let mesh = mesh::build(half, extent, radius, cavity.as_deref());
+        let (radius, surround) = (parameters.radius, parameters.surround.as_ref());
+        let mesh = mesh::build(half, extent, radius, Cavity::new(parameters, rim));
         // Tests in gelatin were made with objects that fit its holder.
         let round = |of: &Surround| of.wall.is_bone().then(|| OrbitRim::round(of.edge(), radius));
         let cells = mesh.cells.iter().map(|&(corners, region)| {

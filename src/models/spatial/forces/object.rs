@@ -5,7 +5,8 @@
 //! length at rest and pulls them together from any side. Left out: that an object turns, so the
 //! axis of a cylinder stays where it came from.
 
-use crate::models::axisymmetric::forces::object::{Core, Object, ObjectOutline, hysteresis};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::forces::object_spring::{Core, hysteresis};
 use nalgebra::Vector3;
 
 type Vector = Vector3<f64>;

@@ -17,7 +17,8 @@
 //! Left out: skin and muscle on the bone, friction, that bone breaks, and that a squeezed ball gets
 //! wider.
 
-use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, hysteresis};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::forces::object_spring::hysteresis;
 use crate::models::spatial::eye::{SpatialEye, orbit::RimSphere};
 use crate::models::spatial::forces::contact::depth;
 use crate::models::spatial::forces::object::{MovingObject, touches};
