@@ -1,12 +1,14 @@
 //! A scenario with the Physiological model, compiled: the eye in SI units and what hits it.
 
-use crate::models::axisymmetric as engine;
-use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
+use crate::models::axisymmetric::eye::parameters::{
+    Material, Parameters, ShellParameters, Surround,
+};
 use crate::models::axisymmetric::eye::{AxisymmetricEye, distance};
 use crate::models::axisymmetric::forces::object::{
     BallSpring, Object, ObjectOutline, ObjectSurface,
 };
-use crate::models::axisymmetric::time::{march::Steps, march::Stop, run::AxisymmetricLoad};
+use crate::models::axisymmetric::time::march::{Steps, Stop};
+use crate::models::axisymmetric::time::run::{AxisymmetricLoad, run, run_through, step_limit};
 use crate::models::axisymmetric::{drawing, flags, readings, rules::RULES, time::until::Until};
 use crate::models::pulse::Pulse;
 use crate::run::kept::{Frame, Keep, Spacing};
@@ -59,7 +61,7 @@ impl AxisymmetricCase {
         };
         let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Self {
-            limit: engine::step_limit(&eye, &load),
+            limit: step_limit(&eye, &load),
             eye,
             window: Until::asked(scenario.window_ms, LONGEST + duration(&load).unwrap_or(0.0)),
             load,
@@ -157,10 +159,8 @@ fn surround(model: &Physiological) -> Option<Surround> {
             model.gelatin_opening_deg,
         ),
     };
-    let mut surround = plain.with_bulk(bulk_mpa * 1e6);
-    surround.material.shear = shear_kpa * 1e3;
-    surround.opening = opening_deg.to_radians();
-    Some(surround)
+    let material = Material { bulk: bulk_mpa * 1e6, shear: shear_kpa * 1e3, ..plain.material };
+    Some(Surround { material, opening: opening_deg.to_radians(), ..plain })
 }
 
 /// The object of a scenario.
@@ -218,7 +218,7 @@ impl EyeModel for AxisymmetricCase {
 
     fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
         let eye = AxisymmetricEye::new(&self.eye.parameters, level);
-        Arc::new(Self { limit: engine::step_limit(&eye, &self.load), eye, ..self.clone() })
+        Arc::new(Self { limit: step_limit(&eye, &self.load), eye, ..self.clone() })
     }
 
     fn regions(&self) -> Vec<Region> {
@@ -236,7 +236,7 @@ impl EyeModel for AxisymmetricCase {
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
         let steps = Steps::by(plan, self.limit, &RULES)?;
         let window = self.window.within(plan.window);
-        let run = engine::run(&self.eye, &self.load, window, steps, keep, watch);
+        let run = run(&self.eye, &self.load, window, steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
         let extremes = &run.extremes;
         let readings = readings::of(extremes);
@@ -263,7 +263,7 @@ impl EyeModel for AxisymmetricCase {
     ) -> Result<(), Refusal> {
         let steps = Steps::by(plan, self.limit, &RULES)?;
         let window = self.window.within(plan.window);
-        engine::run_through(&self.eye, &self.load, window, steps, spacing, take)
+        run_through(&self.eye, &self.load, window, steps, spacing, take)
             .map_err(|stop| self.refused(stop))
     }
 

@@ -129,6 +129,8 @@ fn an_angle_beyond_trust_and_a_window_that_cuts_the_contact_are_flagged() {
     for kind in [FlagKind::AngleBeyondTrust, FlagKind::ContactCut, FlagKind::WindowShort] {
         assert!(answer.has(kind), "{kind:?}");
     }
+    assert!(!answer.has(FlagKind::WindowCapped));
+    assert_eq!((answer.run.simulated, answer.window()), (0.05e-3, 0.05e-3));
 }
 
 fn short() -> Scenario {

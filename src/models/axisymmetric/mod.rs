@@ -10,28 +10,17 @@
 //!   which `rules`, `readings`, `flags` and `drawing` are parts.
 
 pub mod case;
+#[cfg(test)]
+mod case_tests;
 mod drawing;
 pub mod eye;
 pub(crate) mod flags;
 pub mod forces;
+#[cfg(test)]
+pub(crate) mod forces_tests;
 pub mod readings;
 pub mod recording;
 pub(crate) mod rules;
 pub mod time;
-
-pub use crate::models::axisymmetric::forces::object::{
-    BallSpring, HARD, Object, ObjectOutline, ObjectSurface,
-};
-pub use crate::models::axisymmetric::recording::results::{Energy, EngineRun, Extremes};
-pub use crate::models::axisymmetric::recording::sensor::monitored;
-pub use crate::models::axisymmetric::time::march::{CellLoop, STEP_SHARE, Scheme, Steps, Stop};
-pub use crate::models::axisymmetric::time::run::{
-    AxisymmetricLoad, run, run_as, run_through, step_limit,
-};
-pub use crate::models::axisymmetric::time::until::Until;
-#[cfg(test)]
-mod case_tests;
-#[cfg(test)]
-pub(crate) mod forces_tests;
 #[cfg(test)]
 mod window_tests;

@@ -69,14 +69,6 @@ fn what_never_settles_meets_a_cap_that_is_flagged() {
     assert_eq!(answer.cut(Quantity::Pressure), Some(Cut::AtLeast));
 }
 
-#[test]
-fn a_window_that_is_set_counts() {
-    let answer = answered(&preset("bb-62", Some(0.2)));
-    assert_eq!((answer.run.simulated, answer.window()), (0.2e-3, 0.2e-3));
-    assert!(answer.has(FlagKind::ContactCut));
-    assert!(!answer.has(FlagKind::WindowCapped));
-}
-
 /// A pulse of so many N for so many ms, as a triangle, on the default eye held by something.
 fn struck_in(support: Support, force_n: f64, duration_ms: f64) -> Answer {
     let scenario = Scenario {

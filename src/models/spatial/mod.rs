@@ -8,7 +8,7 @@
 //! * `time`: the leapfrog through the window.
 //! * `recording`: `record`, `shape`, `tissue` and `sensor` read off what `results` keeps.
 //! * `case` is an eye ready to be hit, which fills the trait
-//!   [`EyeModel`](crate::run::model::EyeModel); `rules`, `readings`, `flags` and `drawing` are its
+//!   [`EyeModel`](crate::run::model::EyeModel); `rules`, `readings` and `drawing` are its
 //!   parts.
 //!
 //! Tissues, the surfaces of objects and the measures of injury are those of
@@ -18,7 +18,6 @@
 pub mod case;
 mod drawing;
 pub mod eye;
-mod flags;
 pub(crate) mod forces;
 #[cfg(test)]
 mod forces_tests;
@@ -28,11 +27,3 @@ pub(crate) mod rules;
 #[cfg(test)]
 mod run_tests;
 pub mod time;
-
-pub use crate::models::axisymmetric::time::march::STEP_SHARE;
-pub use crate::models::spatial::case::{Scene, SpatialCase};
-pub use crate::models::spatial::eye::mesh::Extent;
-pub use crate::models::spatial::eye::orbit::OrbitRim;
-pub use crate::models::spatial::forces::object::Aim;
-pub use crate::models::spatial::recording::results::{EngineRun, Extremes};
-pub use crate::models::spatial::time::run::{SpatialBlow, run, run_as, run_through, step_limit};

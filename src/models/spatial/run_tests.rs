@@ -6,10 +6,11 @@ use crate::models::axisymmetric::time::march::{CellLoop, STEP_SHARE};
 use crate::models::axisymmetric::time::run::{self as axisymmetric, AxisymmetricLoad};
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::axisymmetric::{eye::AxisymmetricEye, recording::results::Extremes};
+use crate::models::spatial::case::{Scene, SpatialCase};
 use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
+use crate::models::spatial::forces::object::Aim;
+use crate::models::spatial::recording::results::{self, EngineRun};
 use crate::models::spatial::time::run::{SpatialBlow, run, run_as};
-use crate::models::spatial::{self, case::Scene, case::SpatialCase};
-use crate::models::spatial::{forces::object::Aim, recording::results::EngineRun};
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::plan::Plan;
 use crate::run::{model::EyeModel, quantity::Quantity, watch::unwatched};
@@ -70,7 +71,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
     assert_eq!(a.steps, b.steps);
     let (x, y) = (&a.extremes, &b.extremes);
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-7 * a.abs().max(1e-12);
-    let of = |e: &spatial::Extremes| {
+    let of = |e: &results::Extremes| {
         let common = &e.common;
         let peaks = [common.pressure, common.scleral_stress, common.energy_given];
         let peaks = peaks.into_iter().chain(common.tissue).map(|peak| peak.value);
@@ -92,7 +93,7 @@ fn half_and_whole_and_both_loops_give_the_same_where_the_blow_has_a_plane() {
 fn a_mirrored_orbit_and_blow_give_the_mirror_image() {
     let rim = OrbitRim::from(&Rim::CAUCASIAN);
     let mirrored = |of: [f64; 4]| [of[0], of[3], of[2], of[1]];
-    let other = OrbitRim { depth: mirrored(rim.depth), gap: mirrored(rim.gap), ..rim };
+    let other = OrbitRim { depth: mirrored(rim.depth), gap: mirrored(rim.gap) };
     let fat = parameters(Some(Surround::orbit()));
     let of = |rim| SpatialEye::new(&fat, Some(rim), Extent::Full, 1);
     let a = hit(&of(rim), BB, aim(40.0, 120.0, 0.0, 0.0), 0.12);

@@ -17,7 +17,7 @@ use crate::models::axisymmetric::forces::cell::volume;
 use crate::run::places::Region as Part;
 use mesh::{Layers, Mesh};
 use nalgebra::Point2;
-use parameters::{Material, Parameters};
+use parameters::{Material, Parameters, SUBZONAL_PA, Surround};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -61,11 +61,17 @@ impl<const CORNERS: usize> Cell<CORNERS> {
         region: Tissue,
         lens: f64,
     ) -> Self {
-        let (lens, material, subzonal) = match of.surround.filter(|_| region == Tissue::Surround) {
-            Some(around) => (0.0, around.material, around.subzonal),
-            None => (lens, of.lens.material.mixed(of.vitreous, lens), of.subzonal),
-        };
-        Self { corners, region, lens, material, subzonal }
+        match of.surround.filter(|_| region == Tissue::Surround) {
+            Some(Surround { material, .. }) => {
+                // What keeps soft cells from folding stays softer than they are.
+                let subzonal = SUBZONAL_PA.min(0.5 * material.bulk);
+                Self { corners, region, lens: 0.0, material, subzonal }
+            }
+            None => {
+                let material = of.lens.material.mixed(of.vitreous, lens);
+                Self { corners, region, lens, material, subzonal: SUBZONAL_PA }
+            }
+        }
     }
 
     /// The part of a picture that it belongs to.
@@ -307,7 +313,6 @@ impl AxisymmetricEye {
 
 #[cfg(test)]
 mod tests {
-    use super::parameters::Surround;
     use super::*;
 
     fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> AxisymmetricEye {

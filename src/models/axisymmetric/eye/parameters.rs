@@ -97,8 +97,6 @@ pub struct Surround {
     pub opening: f64,
     /// Between globe and wall.
     pub material: Material,
-    /// Stiffness against folding, in Pa.
-    pub subzonal: f64,
 }
 
 impl Surround {
@@ -109,26 +107,12 @@ impl Surround {
             wall: Wall::Cone { radius: 19e-3, slope: 0.39, behind: 4e-3, farthest: 30e-3 },
             opening: 72.0 * DEGREE,
             material: Material::ORBITAL_FAT,
-            subzonal: SUBZONAL_PA.min(0.5 * Material::ORBITAL_FAT.bulk),
         }
     }
 
     /// A stiff cup of 20 mm filled with gelatin.
     pub fn gelatin() -> Self {
-        Self {
-            wall: Wall::Sphere(20e-3),
-            opening: 40.0 * DEGREE,
-            material: Material::GELATIN,
-            subzonal: SUBZONAL_PA,
-        }
-    }
-
-    /// This surround with another bulk modulus, in Pa; what keeps cells from folding stays softer.
-    #[must_use]
-    pub fn with_bulk(mut self, bulk: f64) -> Self {
-        self.material.bulk = bulk;
-        self.subzonal = SUBZONAL_PA.min(0.5 * bulk);
-        self
+        Self { wall: Wall::Sphere(20e-3), opening: 40.0 * DEGREE, material: Material::GELATIN }
     }
 
     /// The front edge of the wall: x and distance from the axis, in m.
@@ -140,7 +124,7 @@ impl Surround {
 }
 
 /// Stiffness against folding where the material is far stiffer in bulk, in Pa.
-const SUBZONAL_PA: f64 = 0.3e6;
+pub(crate) const SUBZONAL_PA: f64 = 0.3e6;
 
 /// Cornea and sclera.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -242,8 +226,6 @@ pub struct Parameters {
     pub vitreous: Material,
     /// The lens.
     pub lens: LensParameters,
-    /// Stiffness of the globe's cells against folding, in Pa.
-    pub subzonal: f64,
     /// Cornea and sclera.
     pub shell: ShellParameters,
     /// `None` leaves the globe free.
@@ -262,7 +244,6 @@ impl Default for Parameters {
                 half_axes: (2.2e-3, 4.6e-3),
                 material: Material::LENS,
             },
-            subzonal: SUBZONAL_PA,
             shell: ShellParameters::human(),
             surround: Some(Surround::orbit()),
         }

@@ -153,19 +153,18 @@ impl CellRows {
         let widest = runs.iter().map(|r| r.columns).max().unwrap_or(0);
         owners.resize((nodes + widest + 1 + LANES).next_multiple_of(LANES), None);
 
-        let mut rows = Self {
-            groups: Vec::new(),
+        let (groups, places_of_cells) = groups(eye, &runs, cells);
+        Self {
+            groups,
             corners: std::array::from_fn(|_| (Aligned::zeros(corners), Aligned::zeros(corners))),
             pressures: Aligned::zeros(cells),
             level,
             rest: NodeState::new(eye, &owners, places[eye.mesh.shell[0]]),
             places,
-            cells: Vec::new(),
+            cells: places_of_cells,
             twins,
             runs,
-        };
-        rows.put_cells(eye);
-        rows
+        }
     }
 
     /// Brings both places of a node together.
@@ -177,33 +176,30 @@ impl CellRows {
             }
         }
     }
+}
 
-    fn put_cells(&mut self, eye: &AxisymmetricEye) {
-        let weights = sensor::weights(eye);
-        // A place without a cell has the shape of some cell, so that all stays finite.
-        let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
-        let group = CellGroup(std::array::from_fn(|f| [empty[f]; LANES]));
-        self.groups = vec![group; self.pressures.len() / LANES];
-        let mut cell = 0;
-        for (run, block) in self.runs.iter().zip(&eye.mesh.blocks) {
-            for low in 0..block.nodes.len() - run.columns {
-                if low % run.columns == run.columns - 1 {
-                    continue;
-                }
-                let place = run.cells + low;
-                let mut one = constants(&Rest::new(eye, &eye.cells[cell]));
-                (one[field::MEAN], one[field::SENSOR]) = weights[cell];
-                if eye.cells[cell].region == Tissue::Globe {
-                    one[field::GLOBE] = FRAC_PI_3;
-                }
-                for (lanes, value) in self.groups[place / LANES].0.iter_mut().zip(one) {
-                    lanes[place % LANES] = value;
-                }
-                self.cells.push(place);
-                cell += 1;
-            }
+/// The constants of so many places of cells, and the place of each cell.
+fn groups(eye: &AxisymmetricEye, runs: &[RowRun], count: usize) -> (Vec<CellGroup>, Vec<usize>) {
+    // A place without a cell has the shape of some cell, so that all stays finite.
+    let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
+    let mut groups = vec![CellGroup(empty.map(|value| [value; LANES])); count / LANES];
+    let places = runs.iter().zip(&eye.mesh.blocks).flat_map(|(run, block)| {
+        let places = 0..block.nodes.len() - run.columns;
+        // The last of a row spans to the next one.
+        places.filter(|low| (low + 1) % run.columns > 0).map(|low| run.cells + low)
+    });
+    let places: Vec<usize> = places.collect();
+    for ((cell, weights), place) in eye.cells.iter().zip(sensor::weights(eye)).zip(&places) {
+        let mut one = constants(&Rest::new(eye, cell));
+        (one[field::MEAN], one[field::SENSOR]) = weights;
+        if cell.region == Tissue::Globe {
+            one[field::GLOBE] = FRAC_PI_3;
+        }
+        for (lanes, value) in groups[place / LANES].0.iter_mut().zip(one) {
+            lanes[place % LANES] = value;
         }
     }
+    (groups, places)
 }
 
 fn constants(rest: &Rest) -> Constants {

@@ -154,23 +154,11 @@ impl SpatialEye {
     /// # Panics
     /// If half of an eye is asked for whose rim is not round.
     pub fn new(parameters: &Parameters, rim: Option<OrbitRim>, extent: Extent, level: u32) -> Self {
-        Self { level, ..Self::with_core(parameters, rim, extent, 2 * level as usize + 2) }
-    }
-
-    /// Builds the eye with `half` cells in half a side of its core.
-    ///
-    /// # Panics
-    /// If half of an eye is asked for whose rim is not round.
-    pub fn with_core(
-        parameters: &Parameters,
-        rim: Option<OrbitRim>,
-        extent: Extent,
-        half: usize,
-    ) -> Self {
         assert!(
             extent == Extent::Full || rim.is_none_or(|rim| rim.is_round()),
             "half of an eye has a round rim"
         );
+        let half = 2 * level as usize + 2;
         let (radius, surround) = (parameters.radius, parameters.surround.as_ref());
         let mesh = mesh::build(half, extent, radius, Cavity::new(parameters, rim));
         // Tests in gelatin were made with objects that fit its holder.
@@ -182,7 +170,7 @@ impl SpatialEye {
         let quads = mesh.shell.iter();
         let quads = quads.map(|&of| quad(parameters, of, &of.map(|node| mesh.at[node])));
         let mut eye = Self {
-            level: 0,
+            level,
             extent,
             parameters: *parameters,
             rim: surround.and_then(|surround| rim.or_else(|| round(surround))),

@@ -21,6 +21,9 @@ use crate::scenario::{Around, Rim};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 
+/// Radius of the rounded edge of bone, in m: an assumption. From 3 to 8 mm pressures change by 2 to
+/// 5 %.
+pub(crate) const EDGE: f64 = 5e-3;
 /// Over which length the wall comes from the rim to its cone, in m.
 const RELAXES: f64 = 10e-3;
 /// Spheres around the rim.
@@ -35,35 +38,19 @@ pub struct OrbitRim {
     pub depth: [f64; 4],
     /// How far it lies outside of the globe, in m.
     pub gap: [f64; 4],
-    /// Radius of its rounding, in m.
-    pub edge: f64,
-    /// Stiffness of all of it against a hard object, in N/m.
-    pub stiffness: f64,
 }
 
 impl From<&Rim> for OrbitRim {
     fn from(rim: &Rim) -> Self {
         let around = |of: Around| [of.above, of.nose, of.below, of.temple].map(|mm| mm * 1e-3);
-        Self::new(around(rim.depth_mm), around(rim.gap_mm))
+        Self { depth: around(rim.depth_mm), gap: around(rim.gap_mm) }
     }
 }
 
 impl OrbitRim {
-    /// Rounding of the edge of bone, in m: an assumption. From 3 to 8 mm pressures change by
-    /// 2 to 5 %.
-    pub const EDGE: f64 = 5e-3;
-    /// Stiffness of bone, in N/m. Bone is meant to be rigid: with 3e7 N/m a ball of 24 g comes
-    /// millimetres into it, and a stiffness ten times as large takes 10 to 34 % of the pressure;
-    /// beyond 1e9 hardly anything changes.
-    pub const STIFFNESS: f64 = 1e9;
-
     /// A round rim through (x, r), in m, around a globe of `radius` m.
     pub fn round((x, r): (f64, f64), radius: f64) -> Self {
-        Self::new([x + radius; 4], [r - radius; 4])
-    }
-
-    fn new(depth: [f64; 4], gap: [f64; 4]) -> Self {
-        Self { depth, gap, edge: Self::EDGE, stiffness: Self::STIFFNESS }
+        Self { depth: [x + radius; 4], gap: [r - radius; 4] }
     }
 
     /// Whether it is the same in every direction.
@@ -87,7 +74,7 @@ impl OrbitRim {
         };
         let length = |i: usize| (edge(i + 1) - edge(i)).norm();
         let whole: f64 = (0..SPHERES).map(length).sum();
-        let away = FRAC_1_SQRT_2 * self.edge;
+        let away = FRAC_1_SQRT_2 * EDGE;
         (0..SPHERES)
             .map(|i| {
                 let outward = Vector3::new(0.0, libm::cos(azimuth(i)), libm::sin(azimuth(i)));

@@ -3,22 +3,20 @@
 //! A node of the shell within the sphere of the edge that is nearest to its azimuth is pushed out
 //! of it, by a foundation over the area that the node stands for at rest.
 
-use crate::models::spatial::eye::orbit::RimSphere;
+use crate::models::spatial::eye::orbit::{EDGE, RimSphere};
 use crate::models::spatial::eye::{SpatialEye, area};
+use crate::models::spatial::forces::rim::COURANT;
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// Stiffness of the foundation, in Pa/m: a globe thrown against bone comes less than 0.1 mm in.
 const STIFFNESS: f64 = 3e10;
-/// Courant number of the globe on bone.
-const COURANT: f64 = 0.67;
 
 /// The edge of bone as the globe meets it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bone {
     spheres: Vec<RimSphere>,
-    edge: f64,
     /// Nearer to the axis than this there is none, m.
     least: f64,
     /// Nodes of the shell with the area that each stands for, m2, and its mass, kg.
@@ -38,8 +36,7 @@ pub(crate) struct Held {
 
 impl Bone {
     pub fn new(eye: &SpatialEye) -> Option<Self> {
-        let rim = eye.rim?;
-        let spheres = rim.spheres(eye.parameters.radius);
+        let spheres = eye.rim?.spheres(eye.parameters.radius);
         let mut areas = std::collections::BTreeMap::<usize, f64>::new();
         for quad in &eye.quads {
             let quarter = 0.25 * area(&quad.corners.map(|node| eye.mesh.at[node]));
@@ -50,12 +47,7 @@ impl Bone {
         let across = |sphere: &RimSphere| libm::hypot(sphere.middle.y, sphere.middle.z);
         let nearest = spheres.iter().map(across).fold(f64::INFINITY, f64::min);
         let node = |(node, area): (usize, f64)| (node, area, eye.mass[node]);
-        Some(Self {
-            least: nearest - rim.edge,
-            edge: rim.edge,
-            spheres,
-            nodes: areas.into_iter().map(node).collect(),
-        })
+        Some(Self { least: nearest - EDGE, spheres, nodes: areas.into_iter().map(node).collect() })
     }
 
     /// Adds its forces to those of nodes.
@@ -75,7 +67,7 @@ impl Bone {
                     if b.norm_squared() < a.norm_squared() { b } else { a }
                 });
             let apart = deepest.norm();
-            let gap = self.edge - apart;
+            let gap = EDGE - apart;
             if gap <= 0.0 {
                 continue;
             }
