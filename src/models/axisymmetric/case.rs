@@ -85,8 +85,7 @@ impl AxisymmetricCase {
     }
 }
 
-/// Why there is no result; of an object that went through the eye what it would have to be, where
-/// nodes of a mesh of some level lie so far `apart`, in m.
+/// Why there is no result, where nodes of a mesh of some level lie so far `apart`, in m.
 pub(crate) fn refused(stop: Stop, object: Option<&Object>, (level, apart): (u32, f64)) -> Refusal {
     let (time, object) = match (stop, object) {
         (Stop::WentThrough(time), Some(object)) => (time * 1e3, object),
@@ -192,8 +191,7 @@ pub(crate) fn object(projectile: &Projectile) -> Object {
     }
 }
 
-/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or
-/// flattened.
+/// Half the density times the square of the speed, in Pa: what stops what is crushed or flattened.
 fn inertia(projectile: &Projectile) -> f64 {
     let density = projectile.mass_kg() / (PI / 6.0 * projectile.diameter_m().powi(3));
     0.5 * density * projectile.speed_m_s * projectile.speed_m_s

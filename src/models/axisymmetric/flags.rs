@@ -7,8 +7,7 @@ use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, PRESSED_FLAT};
 use crate::run::{quantity::Quantity, raised::Raised, readings::Readings};
 use crate::scenario::{TRUSTED_ANGLE_DEG, problem::plain};
 
-/// The share by which the hardest shot of the experiments, a steel ball at 66.5 m/s, shortens the
-/// eye of this model.
+/// The share by which the hardest shot of experiments, a steel ball at 66.5 m/s, shortens this eye.
 const MOST_TESTED: f64 = 0.5;
 
 /// Flags of a run of `simulated` s.

@@ -12,6 +12,7 @@ use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::forces::{plain::PlainCells, rows::CellRows, shell::Shell};
 use crate::models::paper::forces::kernel::vector_sets;
 use proptest::prelude::*;
+use std::f64::consts::PI;
 use std::fmt::Debug;
 use std::sync::LazyLock;
 
@@ -24,9 +25,19 @@ fn free_eye(level: u32) -> AxisymmetricEye {
     eye(None, level)
 }
 
-/// Along the axis and from it, of the nodes of the shell at rest.
-fn shell_at_rest(eye: &AxisymmetricEye) -> (Vec<f64>, Vec<f64>) {
-    eye.mesh.shell.iter().map(|&node| eye.at(node)).unzip()
+/// Of the nodes of the shell at rest all places along the axis, then those from it.
+fn shell_at_rest(eye: &AxisymmetricEye) -> Vec<f64> {
+    let (x, r): (Vec<f64>, Vec<f64>) = eye.mesh.shell.iter().map(|&n| eye.at(n)).unzip();
+    [x, r].concat()
+}
+
+/// What a shell with its nodes at such places stores, their forces, and the tension of each segment.
+fn drawn(shell: &Shell, at: &[f64]) -> (f64, Vec<f64>, Vec<[f64; 2]>) {
+    let n = at.len() / 2;
+    let (mut forces, mut tension) = (vec![0.0; 2 * n], vec![[0.0; 2]; n - 1]);
+    let (fx, fr) = forces.split_at_mut(n);
+    let energy = shell.forces(at.split_at(n), (fx, fr), &mut tension).energy;
+    (energy, forces, tension)
 }
 
 /// A hard surface, a foundation of this stiffness on a body of this radius, and one with a cap.
@@ -60,6 +71,10 @@ fn corners(of: &[f64]) -> [(f64, f64); 4] {
     std::array::from_fn(|i| (of[2 * i], of[2 * i + 1]))
 }
 
+fn flat(of: [(f64, f64); 4]) -> [f64; 8] {
+    std::array::from_fn(|i| if i % 2 == 0 { of[i / 2].0 } else { of[i / 2].1 })
+}
+
 proptest! {
     #[test]
     fn a_cells_force_is_minus_the_slope_of_its_energy_and_its_loss_the_power_of_its_viscosity(
@@ -72,27 +87,17 @@ proptest! {
         let eye = &*EYE;
         let cell = &eye.cells[index];
         let rest = Rest::new(eye, cell);
-        let at: Vec<f64> = cell
-            .corners
-            .iter()
-            .flat_map(|&n| [eye.at(n).0, eye.at(n).1])
-            .zip(shifts)
-            .map(|(x, shift)| x + shift)
-            .collect();
+        let at = flat(cell.corners.map(|node| eye.at(node)));
+        let at: [f64; 8] = std::array::from_fn(|i| at[i] + shifts[i]);
         let still = rest.respond(corners(&at), [(0.0, 0.0); 4]);
-        let forces: Vec<f64> = still.force.iter().flat_map(|f| [f.0, f.1]).collect();
+        let forces = flat(still.force);
         let error = worst(&at, 1e-8, &forces, |at| rest.energy(corners(at)));
         prop_assert!(error < 1e-5, "{error:e}");
         prop_assert_eq!(still.loss, 0.0);
 
-        let v = corners(&speeds);
-        let moving = rest.respond(corners(&at), v);
-        let power: f64 = (0..4)
-            .map(|i| {
-                (still.force[i].0 - moving.force[i].0) * v[i].0
-                    + (still.force[i].1 - moving.force[i].1) * v[i].1
-            })
-            .sum();
+        let moving = rest.respond(corners(&at), corners(&speeds));
+        let resisted = flat(moving.force);
+        let power: f64 = (0..8).map(|i| (forces[i] - resisted[i]) * speeds[i]).sum();
         prop_assert!((power / moving.loss - 1.0).abs() < 1e-8, "{power} {}", moving.loss);
         prop_assert!(moving.loss > 0.0);
     }
@@ -103,20 +108,9 @@ proptest! {
     ) {
         let eye = free_eye(1);
         let shell = Shell::new(&eye);
-        let n = eye.mesh.shell.len();
-        let shift = |i: usize| shifts[i % 32];
-        let at = shell_at_rest(&eye);
-        let at = at.0.into_iter().chain(at.1).enumerate();
-        let at: Vec<f64> = at.map(|(i, x)| x + shift(i)).collect();
-        let respond = |at: &[f64]| {
-            let mut f = vec![0.0; 2 * n];
-            let (fx, fr) = f.split_at_mut(n);
-            let mut tension = vec![[0.0; 2]; n];
-            let at = (&at[..n], &at[n..]);
-            let energy = shell.forces(at, (fx, fr), &mut tension).energy;
-            (energy, f)
-        };
-        let error = worst(&at, 1e-9, &respond(&at).1, |at| respond(at).0);
+        let mut at = shell_at_rest(&eye);
+        at.iter_mut().zip(shifts.iter().cycle()).for_each(|(x, shift)| *x += shift);
+        let error = worst(&at, 1e-9, &drawn(&shell, &at).1, |at| drawn(&shell, at).0);
         prop_assert!(error < 1e-5, "{error:e}");
     }
 }
@@ -128,7 +122,6 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let n = eye.mesh.shell.len();
     let still = vec![0.0; n];
     let rest = shell_at_rest(&eye);
-    let rest = [rest.0, rest.1].concat();
     for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
         for surface in surfaces(1e9, 5e-3) {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
@@ -139,13 +132,8 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
                     projectile.inner();
                     let mut f = vec![0.0; 2 * n];
                     let (fx, fr) = f.split_at_mut(n);
-                    let touch = target.forces(
-                        &object,
-                        &mut projectile,
-                        (&at[..n], &at[n..]),
-                        (&still, &still),
-                        (fx, fr),
-                    );
+                    let (at, still) = (at.split_at(n), (&still[..], &still[..]));
+                    let touch = target.forces(&object, &mut projectile, at, still, (fx, fr));
                     let sum: f64 = fx.iter().sum();
                     assert!((sum + projectile.force[0]).abs() <= 1e-9 * sum.abs());
                     assert!((sum - touch.force).abs() <= 1e-9 * sum.abs());
@@ -242,13 +230,9 @@ fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
 fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
     let (stiffness, mass, speed) = (2e4, 58e-3, 15.0);
     for restitution in [1.0, 0.6] {
-        let object = Object {
-            outline: ObjectOutline::Sphere(33e-3),
-            mass,
-            speed,
-            surface: ObjectSurface::RIGID,
-            spring: Some(BallSpring { stiffness, restitution }),
-        };
+        let spring = Some(BallSpring { stiffness, restitution });
+        let outline = ObjectOutline::Sphere(33e-3);
+        let object = Object { outline, mass, speed, spring, ..sphere(ObjectSurface::RIGID) };
         let (back, strongest, missing) = bounce(&object);
         // The surface itself, a twentieth of the mass, stays where it strikes.
         let expected = (stiffness * 0.95 * mass).sqrt() * speed;
@@ -275,11 +259,10 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
     for level in [1, 3, 5] {
         let eye = AxisymmetricEye::new(&parameters, level);
         let grown = 1.01;
-        let (x, r) = shell_at_rest(&eye);
-        let [x, r] = [x, r].map(|of| of.iter().map(|x| x * grown).collect::<Vec<f64>>());
-        let (mut fx, mut fr) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-        let mut tension = vec![[0.0; 2]; x.len() - 1];
-        Shell::new(&eye).forces((&x, &r), (&mut fx, &mut fr), &mut tension);
+        let at: Vec<f64> = shell_at_rest(&eye).iter().map(|x| x * grown).collect();
+        let (_, forces, tension) = drawn(&Shell::new(&eye), &at);
+        let (x, r) = at.split_at(at.len() / 2);
+        let (fx, fr) = forces.split_at(x.len());
         let stress = 138e6 / (1.0 - 0.49) * 0.01;
         for tension in tension.iter().flatten() {
             assert!((tension / stress - 1.0).abs() < 1e-9);
@@ -291,20 +274,12 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
         for i in 1..x.len() - 1 {
             // Work of the pressure on the two cones beside the node, moved outward.
             let out = (x[i] / (12e-3 * grown), r[i] / (12e-3 * grown));
-            let cones = |at: (f64, f64)| {
-                volume([
-                    (x[i - 1], r[i - 1]),
-                    (x[i - 1], 0.0),
-                    (x[i + 1], 0.0),
-                    (x[i + 1], r[i + 1]),
-                    at,
-                ])
-                .0
+            let cones = |by: f64| {
+                let (before, after) = ((x[i - 1], r[i - 1]), (x[i + 1], r[i + 1]));
+                let moved = (x[i] + by * out.0, r[i] + by * out.1);
+                volume([before, (before.0, 0.0), (after.0, 0.0), after, moved]).0
             };
-            let h = 1e-7;
-            let rate = (cones((x[i] + h * out.0, r[i] + h * out.1))
-                - cones((x[i] - h * out.0, r[i] - h * out.1)))
-                / (2.0 * h);
+            let rate = (cones(1e-7) - cones(-1e-7)) / 2e-7;
             let inward = -(fx[i] * out.0 + fr[i] * out.1);
             worst = worst.max((inward / (pressure * rate) - 1.0).abs());
         }
@@ -386,42 +361,36 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
     let parameters = free_and_even();
     let eye = AxisymmetricEye::new(&parameters, 2);
     let chain = Shell::new(&eye);
-    let (x0, r0) = shell_at_rest(&eye);
-    let n = x0.len();
+    let rest = shell_at_rest(&eye);
+    let n = rest.len() / 2;
+    let (x0, r0) = rest.split_at(n);
     let mut mass = vec![0.0; n];
     for i in 0..n - 1 {
         let length = (x0[i + 1] - x0[i]).hypot(r0[i + 1] - r0[i]);
-        let along = 1100.0 * 0.5e-3 * std::f64::consts::PI * length / 3.0;
+        let along = 1100.0 * 0.5e-3 * PI * length / 3.0;
         mass[i] += along * (2.0 * r0[i] + r0[i + 1]);
         mass[i + 1] += along * (r0[i] + 2.0 * r0[i + 1]);
     }
     // Of a thin shell without a content: w^2 = 2 E/((1 - nu) rho R^2).
     let frequency = f64::sqrt(2.0 * 138e6 / (0.51 * 1100.0)) / 12e-3;
-    let period = 2.0 * std::f64::consts::PI / frequency;
+    let period = 2.0 * PI / frequency;
     let step = period / 2000.0;
-    let grown = |of: &[f64]| of.iter().map(|x| 1.0001 * x).collect::<Vec<f64>>();
-    let (mut x, mut r) = (grown(&x0), grown(&r0));
-    let (mut vx, mut vr) = (vec![0.0; n], vec![0.0; n]);
-    let mut tension = vec![[0.0; 2]; n];
+    let mut at: Vec<f64> = rest.iter().map(|x| 1.0001 * x).collect();
+    let mut v = vec![0.0; 2 * n];
     // Released at its largest, it passes its rest after a quarter of a period.
-    let equator = n / 2;
-    let mut passed = None;
-    for count in 1..2000 {
-        let (mut fx, mut fr) = (vec![0.0; n], vec![0.0; n]);
-        chain.forces((&x, &r), (&mut fx, &mut fr), &mut tension);
-        for i in 0..n {
-            let kick = if count == 1 { 0.5 * step } else { step } / mass[i];
-            vx[i] += kick * fx[i];
-            vr[i] += if r0[i] == 0.0 { 0.0 } else { kick * fr[i] };
-            x[i] += step * vx[i];
-            r[i] += step * vr[i];
+    let equator = n + n / 2;
+    let mut swing = (1..2000).map(|count| {
+        let (_, forces, _) = drawn(&chain, &at);
+        for i in 0..2 * n {
+            let held = i >= n && rest[i] == 0.0;
+            let kick = if count == 1 { 0.5 * step } else { step } / mass[i % n];
+            v[i] += if held { 0.0 } else { kick * forces[i] };
+            at[i] += step * v[i];
         }
-        if r[equator] < r0[equator] {
-            passed = Some(f64::from(count) * step);
-            break;
-        }
-    }
-    let quarter = passed.expect("it swings back");
+        (f64::from(count) * step, at[equator])
+    });
+    let back = swing.find(|(_, r)| *r < rest[equator]);
+    let quarter = back.expect("it swings back").0;
     assert!((4.0 * quarter / period - 1.0).abs() < 0.02, "{quarter:e} {period:e}");
 }
 
@@ -434,25 +403,20 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
         let eye = eye(surround, 1);
         for cell in &eye.cells {
             let rest = Rest::new(&eye, cell);
-            let at: Vec<f64> =
-                cell.corners.iter().flat_map(|&node| [eye.at(node).0, eye.at(node).1]).collect();
-            let p = corners(&at);
+            let p = cell.corners.map(|node| eye.at(node));
+            let at = flat(p);
             // 1/sqrt(mass) of each coordinate; none on the axis, where r is held.
             let root: [f64; 8] = std::array::from_fn(|k| {
                 let held = k % 2 == 1 && p[k / 2].1 == 0.0;
-                if held { 0.0 } else { 1.0 / (rest.density * quarters(p)[k / 2]).sqrt() }
+                if held { 0.0 } else { 1.0 / (rest.material.density * quarters(p)[k / 2]).sqrt() }
             });
-            let force = |at: &[f64], v: &[f64]| -> Vec<f64> {
-                let response = rest.respond(corners(at), corners(v));
-                response.force.iter().flat_map(|f| [f.0, f.1]).collect()
-            };
             // The largest eigenvalue by what each place or velocity, changed by so much, resists.
             let largest = |dx: f64, dv: f64| {
                 let column = |k: usize| -> Vec<f64> {
                     let changed = |sign: f64| {
-                        let (mut at, mut v) = (at.clone(), [0.0; 8]);
+                        let (mut at, mut v) = (at, [0.0; 8]);
                         (at[k], v[k]) = (at[k] + sign * dx, sign * dv);
-                        force(&at, &v)
+                        flat(rest.respond(corners(&at), corners(&v)).force)
                     };
                     let resisted = changed(-1.0).into_iter().zip(changed(1.0));
                     resisted.map(|(a, b)| (a - b) / (2.0 * (dx + dv))).collect()

@@ -1,7 +1,7 @@
 //! The axisymmetric model: explicit and Lagrangian, as hydrocodes are.
 //!
 //! * `eye`: the mesh of a half section, and what it is made of in SI units.
-//! * `forces`: `cell` is the mechanics of one cell, `quads` the same of many, with the nodes between
+//! * `forces`: `cell` is the mechanics of one cell, `quads` of many and of the nodes between
 //!   them (`rows` lays them out), `plain` the loop that tests them; `shell` is cornea and sclera,
 //!   `object` and `contact` what hits them, `face` the bone beside them.
 //! * `time`: the leapfrog through the window.

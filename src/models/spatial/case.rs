@@ -31,8 +31,7 @@ const IN_PLANE: f64 = 1e-9;
 /// A blow on an eye, in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// What the eye is made of, and what holds it. Its axis is the eye's own: `axis_angle` is not
-    /// read.
+    /// What the eye is made of, and what holds it, about its own axis: `axis_angle` is not read.
     pub parameters: Parameters,
     /// The rim of an orbit that was measured; without one what holds the globe is round.
     pub rim: Option<OrbitRim>,

@@ -46,8 +46,7 @@ fn largest(force: &[Vec<f64>; 3]) -> f64 {
     force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()))
 }
 
-/// Largest difference of the force on some nodes from minus the slope of `energy`, over the
-/// largest force.
+/// [`worst_of`] of some nodes.
 fn worst(
     state: &NodeState,
     nodes: impl Iterator<Item = usize>,

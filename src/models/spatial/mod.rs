@@ -3,8 +3,8 @@
 //! * `eye`: the mesh of a ball, whole or half, the orbit around it, and what it is made of.
 //! * `forces`: `math` lets each law be written once, for one number or a vector of them; `cell` and
 //!   `corner` are the mechanics of one cell, `rows` runs them over many, `plain` one by one;
-//!   `shell` and `hinge` are cornea and sclera, `object` and `contact` what hits them, `rim` and
-//!   `bone` what stops the object and the globe.
+//!   `shell` and `hinge` are cornea and sclera, `object` and `contact` what hits them, `rim` the
+//!   bone that stops the object and the globe.
 //! * `time`: the leapfrog through the window.
 //! * `recording`: `record`, `shape`, `tissue` and `sensor` read off what `results` keeps.
 //! * `case` is an eye ready to be hit, which fills the trait

@@ -19,8 +19,7 @@ const GRADING: f64 = 0.2;
 pub struct Layers {
     /// Radius of the core's map as a share of the globe's.
     core: f64,
-    /// By which share the layers within the shell, and those beyond it, are thinner at the shell
-    /// than on average.
+    /// By which share layers within the shell, and beyond it, are thinner at it than on average.
     within: f64,
     beyond: f64,
 }
@@ -92,8 +91,7 @@ struct Rays {
 }
 
 impl Rays {
-    /// With one of `rays`, rising angles from 0 to pi, on each of `marks`, which rise too: those
-    /// that stretch the rest least.
+    /// With one of the rising `rays` on each of the rising `marks`: those that stretch least.
     fn through(marks: &[f64], rays: &[f64]) -> Self {
         let mut best = (f64::INFINITY, vec![(0.0, 0.0), (PI, PI)]);
         let mut chosen = vec![0; marks.len()];
@@ -125,8 +123,7 @@ impl Rays {
     }
 }
 
-/// Builds the mesh of a core 2 `half` by `half` cells, with its limbus at a front angle, and a
-/// wall beyond another.
+/// The mesh of a core 2 `half` by `half` cells, with a limbus and an opening at front angles.
 pub(crate) fn build(
     (half, spacing): (usize, Layers),
     radius: f64,
@@ -194,8 +191,7 @@ pub(crate) fn graded(layer: usize, of: usize, thinner: f64) -> f64 {
 
 impl Mesh {
     /// Adds a block of straight rays from the nodes `inner` to the points `outer`, of so many
-    /// layers, thinner by a share at the outer end, or at the inner one if it is negative; returns
-    /// its last row.
+    /// [`graded`] layers; returns its last row.
     fn layers(
         &mut self,
         inner: Vec<usize>,

@@ -21,8 +21,7 @@ use parameters::{Material, Parameters, SUBZONAL_PA, Surround};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Points around the axis that means over the azimuth take; those of one half, as the other
-/// mirrors it.
+/// Points around one half of the axis, whose mirror is the other, that means over the azimuth take.
 const AZIMUTHS: usize = 32;
 /// Points along a segment, and along each side of a cell, that means over them take.
 const ALONG: usize = 16;
@@ -244,8 +243,7 @@ impl AxisymmetricEye {
         eye
     }
 
-    /// Each corner gets the quarter of a cell next to it, and each end of a segment the mass that a
-    /// function linear along it gives.
+    /// Of a cell each corner gets its quarter, of a segment each end what a linear function gives.
     fn spread_mass(&mut self) {
         for cell in &self.cells {
             let quarters = quarters(cell.corners.map(|node| self.at(node)));

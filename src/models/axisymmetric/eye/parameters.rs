@@ -50,8 +50,7 @@ impl Material {
 /// A rigid wall around the globe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wall {
-    /// The bone: r = `radius` - `slope` (x + `behind`), nowhere farther than `farthest` from the
-    /// centre.
+    /// The bone: r = `radius` - `slope` (x + `behind`), at most `farthest` from the centre.
     Cone {
         /// Radius at x = -`behind`, in m.
         radius: f64,

@@ -15,7 +15,7 @@
 //! This is the plain form: [`crate::models::axisymmetric::forces::quads`] computes the same of
 //! many cells at once and is tested against it.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell, parameters::Material};
 use std::f64::consts::FRAC_PI_3;
 
 /// Linear and quadratic artificial viscosity.
@@ -28,8 +28,7 @@ pub(crate) const SUBZONAL_BULK: f64 = 100e6;
 pub(crate) const SQUEEZED: f64 = 0.05;
 /// What a corner triangle may lose of its volume in a step as long as the bound, as a share.
 pub(crate) const LOSS_IN_STEP: f64 = 0.5;
-/// Share of area or volume that a cell which has folded is taken to have, so that all stays
-/// finite.
+/// Share of area or volume that a folded cell is taken to have, so that all stays finite.
 pub(crate) const FLAT: f64 = 1e-3;
 
 type Point = (f64, f64);
@@ -43,10 +42,7 @@ pub(crate) struct Rest {
     pub diagonals: [f64; 4],
     pub radius: f64,
     pub area: f64,
-    pub density: f64,
-    pub bulk: f64,
-    pub shear: f64,
-    pub viscosity: f64,
+    pub material: Material,
     pub subzonal: f64,
 }
 
@@ -128,8 +124,7 @@ fn swept<const N: usize>(p: [Point; N]) -> f64 {
     -FRAC_PI_3 * (0..N).map(edge).sum::<f64>()
 }
 
-/// The least volume of a corner triangle over that at rest, of a cell of `eye` with its nodes `at`
-/// some places.
+/// The least volume of a corner triangle over that at rest, of a cell with its nodes `at` places.
 pub(crate) fn least_triangle(
     eye: &AxisymmetricEye,
     corners: &[usize; 4],
@@ -172,10 +167,7 @@ impl Rest {
             diagonals: [b.1 / det, -b.0 / det, -a.1 / det, a.0 / det],
             radius: 0.25 * p.iter().map(|p| p.1).sum::<f64>(),
             area: 0.5 * det,
-            density: cell.material.density,
-            bulk: cell.material.bulk,
-            shear: cell.material.shear,
-            viscosity: cell.material.viscosity,
+            material: cell.material,
             subzonal: cell.subzonal,
         }
     }
@@ -187,10 +179,10 @@ impl Rest {
         let now = true_volume.max(FLAT * self.volume);
         let j = now / self.volume;
         let expansion = rate(&gradient, &v) / now;
-        let pressure = self.bulk * (1.0 / j - 1.0);
-        let sound = (self.bulk / self.density).sqrt();
+        let pressure = self.material.bulk * (1.0 / j - 1.0);
+        let sound = (self.material.bulk / self.material.density).sqrt();
         let length = section.length;
-        let mass_length = self.density * length;
+        let mass_length = self.material.density * length;
         let quadratic = QUADRATIC * mass_length * length * expansion * expansion.min(0.0);
         let artificial = -LINEAR * mass_length * sound * expansion + quadratic;
 
@@ -204,7 +196,7 @@ impl Rest {
         };
         // Pressure on the whole quad, to which the corners' viscosity adds.
         let mut whole = pressure + artificial;
-        let eta = SUBZONAL_VISCOSITY * mass_length * (SUBZONAL_BULK / self.density).sqrt();
+        let eta = SUBZONAL_VISCOSITY * mass_length * (SUBZONAL_BULK / self.material.density).sqrt();
         for (i, at_rest) in self.triangles.iter().enumerate() {
             let corners = triangle(i);
             let (vt, slope) = volume(corners.map(|k| p[k]));
@@ -232,13 +224,13 @@ impl Rest {
     /// Stored, J, with corners at `p`.
     pub fn energy(&self, p: [Point; 4]) -> f64 {
         let j = (swept(p) / self.volume).max(FLAT);
-        let mut energy = self.bulk * self.volume * (j - 1.0 - libm::log(j));
+        let mut energy = self.material.bulk * self.volume * (j - 1.0 - libm::log(j));
         for (i, at_rest) in self.triangles.iter().enumerate() {
             let (_, stored) = subzonal(swept(triangle(i).map(|k| p[k])) / at_rest);
             energy += 0.5 * self.subzonal * at_rest * stored;
         }
         let (strain, isochoric) = self.strain(&self.section(p));
-        energy + 1.5 * self.volume * self.shear * (isochoric * strain.third - 1.0)
+        energy + 1.5 * self.volume * self.material.shear * (isochoric * strain.third - 1.0)
     }
 
     fn section(&self, p: [Point; 4]) -> Section {
@@ -259,7 +251,7 @@ impl Rest {
         let Section { a, b, det, .. } = *section;
         let (strain, isochoric) = self.strain(section);
         let Strain { xx, xr, rr, hh, third } = strain;
-        let g = self.shear * isochoric * self.volume;
+        let g = self.material.shear * isochoric * self.volume;
         let (va, vb) = diagonals(v);
         let l_xx = (va.0 * b.1 - vb.0 * a.1) / det;
         let l_xr = (vb.0 * a.0 - va.0 * b.0) / det;
@@ -268,7 +260,7 @@ impl Rest {
         let l_hh = 0.25 * v.iter().map(|v| v.1).sum::<f64>() / section.radius;
         let mean = (l_xx + l_rr + l_hh) / 3.0;
         let shearing = 0.5 * (l_xr + l_rx);
-        let n = 2.0 * self.viscosity * now;
+        let n = 2.0 * self.material.viscosity * now;
         let s_xx = g * (xx - third) + n * (l_xx - mean);
         let s_xr = g * xr + n * shearing;
         let s_rr = g * (rr - third) + n * (l_rr - mean);
@@ -308,15 +300,16 @@ impl Rest {
     /// c/l and damping ratio z = s/c it is stable up to (2/w)(sqrt(1 + z^2) - z), which is
     /// l/(sqrt(c^2 + s^2) + s).
     fn limit(&self, j: f64, length: f64, expansion: f64) -> f64 {
-        let sound = (self.bulk / self.density).sqrt();
-        let subzonal_sound = (SUBZONAL_BULK / self.density).sqrt();
-        let stiffness = self.bulk / (j * j) + 4.0 / 3.0 * self.shear + self.subzonal;
-        let kinematic = self.viscosity / self.density;
+        let sound = (self.material.bulk / self.material.density).sqrt();
+        let subzonal_sound = (SUBZONAL_BULK / self.material.density).sqrt();
+        let stiffness =
+            self.material.bulk / (j * j) + 4.0 / 3.0 * self.material.shear + self.subzonal;
+        let kinematic = self.material.viscosity / self.material.density;
         let s = LINEAR * sound
             + 4.0 * SUBZONAL_VISCOSITY * subzonal_sound
             + 2.0 * kinematic / length
             + QUADRATIC * length * expansion.abs();
-        let waves = length / ((stiffness / self.density + s * s).sqrt() + s);
+        let waves = length / ((stiffness / self.material.density + s * s).sqrt() + s);
         let diffusion =
             if kinematic > 0.0 { length * length / (4.0 * kinematic) } else { f64::INFINITY };
         waves.min(diffusion)

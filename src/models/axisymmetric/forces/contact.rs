@@ -19,8 +19,7 @@ const ENTRAINED: f64 = 0.1 * 1000.0;
 pub(crate) const COURANT: f64 = 0.4 / 0.6;
 /// What is nearer to an object than this counts as touched by it, in m.
 pub(crate) const TOUCHING: f64 = 5e-5;
-/// The Courant number where the object loses energy, as the loss follows velocities half a step
-/// old.
+/// The Courant number where the object loses energy: the loss follows velocities half a step old.
 pub(crate) const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
@@ -46,11 +45,25 @@ pub(crate) struct Touch {
     pub limit: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
-    /// Power lost in the object's surface, W, less what its own motion does
-    /// ([`MovingObject::lossy`]).
+    /// Power lost in the object's surface, W, less what [`MovingObject::lossy`] does.
     pub loss: f64,
     /// Farthest from the axis that the shell lies within [`TOUCHING`] of the object, m.
     pub radius: f64,
+}
+
+/// The last place where something holds, between one where it does and one where it fails.
+pub(crate) fn last(mut holds: f64, mut fails: f64, of: impl Fn(f64) -> bool) -> f64 {
+    /// Halvings that leave nothing between the two.
+    const HALVINGS: usize = 60;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (holds + fails);
+        if of(middle) {
+            holds = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    holds
 }
 
 /// How far from the axis the object is touched between two points with their depths in it.
@@ -81,28 +94,16 @@ impl Target {
 
     /// Where the front of an object is as it first touches the front pole at `pole` or the rim, m.
     pub fn first_touch(&self, object: &Object, pole: f64) -> f64 {
-        /// Halvings that leave nothing of the way back.
-        const HALVINGS: usize = 60;
         let face = self.face.as_ref();
         let overlaps =
             |front: f64| face.is_some_and(|face| face.overlaps(object, front - object.reach()));
         if !overlaps(pole) {
             return pole;
         }
-        let (mut clear, mut touching) = (pole - 2.0 * object.outline.radius(), pole);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (clear + touching);
-            if overlaps(middle) {
-                touching = middle;
-            } else {
-                clear = middle;
-            }
-        }
-        clear
+        last(pole - 2.0 * object.outline.radius(), pole, |front| !overlaps(front))
     }
 
-    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to
-    /// the projectile's.
+    /// Adds the forces of contact to those of the shell and of the projectile.
     pub fn forces(
         &self,
         object: &Object,

@@ -78,8 +78,7 @@ impl Face {
         self.rings.iter().any(|&(r, _)| self.gap(object, [centre; 2], r).0 > 0.0)
     }
 
-    /// Depth of a ring below the surface of an object, and how it grows as the surface's and the
-    /// core's centres move.
+    /// Depth of a ring below an object's surface, and how it grows as surface and core move.
     fn gap(&self, object: &Object, centres: [f64; 2], r: f64) -> (f64, [f64; 2]) {
         let squeeze = (centres[1] - centres[0]).max(0.0);
         let ObjectOutline::Sphere(radius) = object.outline else {

@@ -105,8 +105,7 @@ impl ObjectSurface {
     /// A surface that hardly gives way.
     pub const RIGID: Self = Self { stiffness: HARD, depth: None, cap: None, restitution: 1.0 };
 
-    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E,
-    /// and a depth of 0.7 R.
+    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E.
     pub fn elastic(modulus: f64, radius: f64) -> Self {
         Self::foundation(modulus / radius, radius)
     }
@@ -143,8 +142,7 @@ impl ObjectSurface {
         Self { restitution, ..self }
     }
 
-    /// How much of the traction is left at a speed of closing, and how fast that changes with it,
-    /// s/m.
+    /// How much of the traction is left at a speed of closing, and its change with that, s/m.
     pub(crate) fn hysteresis(&self, speed: f64, closing: f64) -> (f64, f64) {
         hysteresis(self.restitution * self.restitution, speed, closing)
     }
@@ -160,8 +158,7 @@ impl ObjectSurface {
         }
     }
 
-    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as the core
-    /// behind it.
+    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as its core.
     pub(crate) fn used_up(&self, gap: f64) -> f64 {
         self.depth.map_or(0.0, |depth| gap / (CORE_BEYOND * depth))
     }
@@ -239,8 +236,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in
-    /// m.
+    /// Distance from the centre, or from a cylinder's face, to the frontmost point, in m.
     pub fn reach(&self) -> f64 {
         match self.outline {
             ObjectOutline::Sphere(radius) => radius,

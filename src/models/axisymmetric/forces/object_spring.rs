@@ -120,8 +120,7 @@ impl Core {
         self.spring.map_or(0.0, |(law, _)| law.at(squeezed).energy)
     }
 
-    /// How far in front of where it is the surface may yet swing, m, where both ends move `apart`
-    /// at so many m/s.
+    /// See [`ObjectSpring::swing`]; none of a body that is all surface.
     pub fn swing(&self, apart: f64, squeezed: f64) -> f64 {
         self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, squeezed))
     }

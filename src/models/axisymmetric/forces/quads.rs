@@ -75,8 +75,7 @@ impl<S: Simd> Edge<S> {
     }
 }
 
-/// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third
-/// order.
+/// of^(-2/3) where that is positive: a third of the exponent by shifts, a third-order iteration.
 #[inline(always)]
 pub(crate) fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
     /// Bits of 1 times 4/3, less what makes the largest error of the first guess least.

@@ -204,8 +204,8 @@ fn groups(eye: &AxisymmetricEye, runs: &[RowRun], count: usize) -> (Vec<CellGrou
 
 fn constants(rest: &Rest) -> Constants {
     let mut c = [0.0; field::COUNT];
-    let density = rest.density;
-    let sound = (rest.bulk / density).sqrt();
+    let density = rest.material.density;
+    let sound = (rest.material.bulk / density).sqrt();
     let corner_sound = (cell::SUBZONAL_BULK / density).sqrt();
     c[field::VOLUME] = rest.volume / FRAC_PI_3;
     for i in 0..4 {
@@ -216,17 +216,17 @@ fn constants(rest: &Rest) -> Constants {
     c[field::INVERSE_RADIUS] = 1.0 / rest.radius;
     c[field::INVERSE_DET] = 0.5 / rest.area;
     c[field::LEAST_DET] = cell::FLAT * 2.0 * rest.area;
-    c[field::BULK] = rest.bulk;
-    c[field::SHEAR] = rest.shear * rest.volume;
-    c[field::VISCOSITY] = 2.0 * rest.viscosity;
+    c[field::BULK] = rest.material.bulk;
+    c[field::SHEAR] = rest.material.shear * rest.volume;
+    c[field::VISCOSITY] = 2.0 * rest.material.viscosity;
     c[field::SUBZONAL] = rest.subzonal / 6.0;
     c[field::LINEAR] = cell::LINEAR * density * sound;
     c[field::QUADRATIC] = cell::QUADRATIC * density;
     c[field::CORNER] = 0.5 * cell::SUBZONAL_VISCOSITY * density * corner_sound;
-    c[field::BULK_SPEED] = rest.bulk / density;
-    c[field::OTHER_SPEED] = (4.0 / 3.0 * rest.shear + rest.subzonal) / density;
+    c[field::BULK_SPEED] = rest.material.bulk / density;
+    c[field::OTHER_SPEED] = (4.0 / 3.0 * rest.material.shear + rest.subzonal) / density;
     c[field::CONSTANT_SPEED] = cell::LINEAR * sound + 4.0 * cell::SUBZONAL_VISCOSITY * corner_sound;
-    c[field::KINEMATIC] = rest.viscosity / density;
+    c[field::KINEMATIC] = rest.material.viscosity / density;
     c[field::QUADRATIC_SPEED] = cell::QUADRATIC;
     c[field::SHRINKING] = 1.0 / cell::LOSS_IN_STEP;
     c

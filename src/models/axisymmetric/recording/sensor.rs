@@ -119,8 +119,7 @@ pub(crate) struct Velocities<const D: usize> {
 }
 
 impl<const D: usize> Velocities<D> {
-    /// By how much they have changed over the last 20 us up to `time` s, at which they are `now`,
-    /// in m/s.
+    /// By how much they have changed over the last 20 us up to `time` s, in m/s.
     pub fn change(&mut self, now: [SVector<f64, D>; 4], time: f64) -> [SVector<f64, D>; 4] {
         self.past.push_back((time, now));
         let start = time - SMOOTHING_S;

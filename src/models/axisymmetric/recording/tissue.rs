@@ -113,8 +113,7 @@ impl Tissues {
         }
     }
 
-    /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers
-    /// them to the extremes.
+    /// Offers them to the extremes at `time`, in s; `share` is that of a low pass.
     pub fn read(&mut self, state: &NodeState, share: f64, time: f64, extremes: &mut Extremes) {
         let (x, r) = (&state.x[..], &state.r[..]);
         let stretch = |piece: &Piece| {
@@ -148,8 +147,7 @@ mod tests {
     use crate::models::axisymmetric::forces::state::Cells;
     use crate::models::axisymmetric::{eye::parameters::Parameters, forces::plain::PlainCells};
 
-    /// What is read where each node has gone from (x, r) to where `moved` says, once a low pass
-    /// has nothing left to wait for.
+    /// What is read where each node has gone from (x, r) to `moved`, once a low pass is over.
     fn read(level: u32, moved: impl Fn(f64, f64) -> (f64, f64)) -> [f64; 5] {
         let eye = AxisymmetricEye::new(&Parameters::default(), level);
         let cells = PlainCells::new(&eye);

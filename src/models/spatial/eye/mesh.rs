@@ -39,8 +39,7 @@ const AROUND_LAYERS: f64 = 0.9;
 /// How much of the eye is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// That on one side of a plane through the eye's axis, of which the other side is the mirror
-    /// image.
+    /// One side of a plane through the eye's axis; the other is its mirror image.
     Half,
     /// All of it.
     Full,

@@ -17,19 +17,17 @@
 
 use crate::models::axisymmetric::eye::front_angle;
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround, Wall};
+use crate::models::axisymmetric::forces::contact::last;
 use crate::scenario::{Around, Rim};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 
-/// Radius of the rounded edge of bone, in m: an assumption. From 3 to 8 mm pressures change by 2 to
-/// 5 %.
+/// Radius of the edge of bone, in m: an assumption. From 3 to 8 mm pressures change by 2 to 5 %.
 pub(crate) const EDGE: f64 = 5e-3;
 /// Over which length the wall comes from the rim to its cone, in m.
 const RELAXES: f64 = 10e-3;
 /// Spheres around the rim.
 const SPHERES: usize = 192;
-/// Halvings of an interval that leave nothing of it.
-const HALVINGS: usize = 60;
 
 /// The rim of an orbit at 12 o'clock, at the nose, at 6 o'clock and at the temple.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -171,20 +169,9 @@ impl Cavity {
             Wall::Sphere(radius) => radius,
         };
         let (along, across) = (-libm::cos(front), libm::sin(front));
-        // Within the wall at the globe, outside of it far away.
-        let (mut within, mut beyond) = (self.radius, farthest.max(edge));
-        if beyond * across < self.wall_at(beyond * along, rim) {
-            return beyond;
-        }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (within + beyond);
-            if middle * across < self.wall_at(middle * along, rim) {
-                within = middle;
-            } else {
-                beyond = middle;
-            }
-        }
-        within
+        let within = |at: f64| at * across < self.wall_at(at * along, rim);
+        let beyond = farthest.max(edge);
+        if within(beyond) { beyond } else { last(self.radius, beyond, within) }
     }
 }
 

@@ -13,7 +13,7 @@
 use crate::models::axisymmetric::forces::contact::{COURANT, DAMPED, TOUCHING};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::spatial::eye::{SpatialEye, areas, shares};
-use crate::models::spatial::forces::object::{MovingObject, touches};
+use crate::models::spatial::forces::object::{Line, MovingObject, touches};
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 
@@ -133,11 +133,7 @@ impl Target {
     }
 
     /// How far along its way an object comes before it touches what lies in front of bone.
-    pub fn first_touch(
-        &self,
-        outline: ObjectOutline,
-        line: (Vector3<f64>, Vector3<f64>),
-    ) -> Option<f64> {
+    pub fn first_touch(&self, outline: ObjectOutline, line: Line) -> Option<f64> {
         self.ahead.iter().filter_map(|at| touches(outline, line, *at, 0.0)).reduce(f64::min)
     }
 

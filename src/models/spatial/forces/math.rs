@@ -6,7 +6,7 @@
 use crate::models::axisymmetric::forces::quads::inverse_cube_root_squared;
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
-use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// How numbers are computed.
 pub(crate) trait Math: Copy {
@@ -18,6 +18,7 @@ pub(crate) trait Math: Copy {
         + SubAssign
         + Mul<Output = Self::N>
         + MulAssign
+        + Div<Output = Self::N>
         + Neg<Output = Self::N>;
     /// How many are computed at once.
     const WIDTH: usize;
@@ -25,7 +26,10 @@ pub(crate) trait Math: Copy {
     fn number(self, value: f64) -> Self::N;
     fn load(self, from: &[f64], at: usize) -> Self::N;
     fn store(self, value: Self::N, to: &mut [f64], at: usize);
-    fn over(self, a: Self::N, b: Self::N) -> Self::N;
+    #[inline(always)]
+    fn over(self, a: Self::N, b: Self::N) -> Self::N {
+        a / b
+    }
     fn root(self, of: Self::N) -> Self::N;
     fn least(self, a: Self::N, b: Self::N) -> Self::N;
     fn most(self, a: Self::N, b: Self::N) -> Self::N;
@@ -52,10 +56,6 @@ impl Math for Plain {
     #[inline(always)]
     fn store(self, value: f64, to: &mut [f64], at: usize) {
         to[at] = value;
-    }
-    #[inline(always)]
-    fn over(self, a: f64, b: f64) -> f64 {
-        a / b
     }
     #[inline(always)]
     fn root(self, of: f64) -> f64 {
@@ -95,10 +95,6 @@ impl<S: Simd> Math for Wide<S> {
     #[inline(always)]
     fn store(self, value: V<S>, to: &mut [f64], at: usize) {
         store::<S>(to, at, value);
-    }
-    #[inline(always)]
-    fn over(self, a: V<S>, b: V<S>) -> V<S> {
-        a / b
     }
     #[inline(always)]
     fn root(self, of: V<S>) -> V<S> {

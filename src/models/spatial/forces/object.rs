@@ -10,6 +10,8 @@ use crate::models::axisymmetric::forces::object_spring::{Core, hysteresis};
 use nalgebra::Vector3;
 
 type Vector = Vector3<f64>;
+/// The way of a flight, and the point nearest to the middle of the globe that it goes through.
+pub(crate) type Line = (Vector, Vector);
 
 /// How a blow comes, in the eye's own axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -179,11 +181,11 @@ impl MovingObject {
     }
 }
 
-/// How far along its way the object's middle or face comes before it touches a ball around `at` of
-/// radius `inflated`, in m, flying through `passes`; none if it goes by.
+/// How far along its line the middle or face of an object comes before it touches a ball `at` some
+/// place of radius `inflated`, in m; none if it goes by.
 pub(crate) fn touches(
     outline: ObjectOutline,
-    (way, passes): (Vector, Vector),
+    (way, passes): Line,
     at: Vector,
     inflated: f64,
 ) -> Option<f64> {

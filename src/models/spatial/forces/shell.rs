@@ -15,6 +15,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
+use crate::models::axisymmetric::forces::shell::ENTRAINED;
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::eye::{SpatialEye, area, upon};
 use crate::models::spatial::forces::hinge::Hinges;
@@ -25,9 +26,6 @@ use crate::models::spatial::forces::state::NodeState;
 use fearless_simd::{Level, Simd, dispatch};
 use nalgebra::{Matrix2, Vector3};
 
-/// Share of the mass of the cells beside the shell that moves with it, per length of a quad: the
-/// bound of the step counts on it.
-const ENTRAINED: f64 = 0.2;
 /// Courant number of the shell over that of the cells.
 const COURANT: f64 = 0.5;
 /// How much of a quad is its middle.
@@ -71,8 +69,7 @@ pub(crate) struct Shell {
     pub limit: f64,
 }
 
-/// Unit vectors along the meridian, away from the front, and around the axis, in the plane of two
-/// edges.
+/// Unit vectors along the meridian to the back, and around the axis, in the plane of two edges.
 fn directions(at: Vector3<f64>, edges: [Vector3<f64>; 2]) -> [Vector3<f64>; 2] {
     let normal = edges[0].cross(&edges[1]).normalize();
     let back = Vector3::x();

@@ -138,8 +138,7 @@ impl Motion<'_> {
         self.account.read_shape(&self.shapes.read(&self.state.at), time);
     }
 
-    /// The energy of an eye that nothing holds as it flies as a whole, J, where forces act for
-    /// `kick` s.
+    /// The energy of flight as a whole, J, of an eye that nothing holds; forces act for `kick` s.
     fn flown(&self, kick: f64) -> f64 {
         if self.eye.parameters.surround.is_some() {
             return 0.0;

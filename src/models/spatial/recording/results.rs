@@ -8,8 +8,7 @@ use nalgebra::Vector3;
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extremes {
-    /// What every eye of cells has: lengths and ways along the blow, pressures, measures of tissues
-    /// at their largest over the azimuth.
+    /// What every eye of cells has, measures of tissues at their largest over the azimuth.
     pub common: axisymmetric::Extremes,
     /// Measures of tissues by clock hour.
     pub sectors: Sectors,
@@ -33,6 +32,5 @@ pub struct Extremes {
     pub globe_on_bone: Peak,
 }
 
-/// What the engine gives of one run: with the momentum goes the angular one about the middle of the
-/// globe at rest, kg m2/s.
+/// That of one run, with the angular momentum about the middle of the globe at rest, kg m2/s.
 pub type EngineRun = axisymmetric::EngineRun<Extremes, [Vector3<f64>; 2]>;

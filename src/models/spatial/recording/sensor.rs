@@ -37,9 +37,8 @@ pub(crate) fn weights(eye: &SpatialEye) -> Vec<(f64, f64)> {
     weighed(cells)
 }
 
-/// The four monitored places, in axes turned so that azimuth `up` is up: in the globe 1.333 mm up
-/// and back of its middle; on the shell 5 degrees above the front pole, 5 degrees above the back
-/// pole, and 5 degrees behind the top.
+/// The four monitored places, those of the axisymmetric eye, in axes turned so that azimuth `up` is
+/// up.
 pub(crate) fn monitored(eye: &SpatialEye, up: f64) -> [Vector3<f64>; 4] {
     let above = towards(-up);
     let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;

@@ -156,8 +156,7 @@ impl Shapes {
         }
     }
 
-    /// Way of the globe's middle, m, and the angle by which it has turned, rad: that of the turn
-    /// nearest to how the shell's places have changed.
+    /// Way of the globe's middle, m, and the angle of the turn nearest to how its shell moved, rad.
     pub fn moved(&self, at: &Nodes) -> (Vector3<f64>, f64) {
         let middle = self.middle(at);
         let mut sum = Matrix3::zeros();

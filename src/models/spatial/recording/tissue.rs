@@ -77,8 +77,7 @@ pub(crate) struct Tissues {
     pub now: [f64; 5],
 }
 
-/// The number of the piece, of so many around the axis, that an azimuth lies in; the first one has
-/// azimuth `from` in its middle.
+/// The piece, `of` so many around the axis from one with `from` in its middle, of an azimuth.
 fn piece(azimuth: f64, from: f64, of: usize) -> usize {
     let turns = (azimuth - from) / TAU;
     ((turns * of as f64).round().rem_euclid(of as f64)) as usize % of
@@ -173,9 +172,8 @@ impl Tissues {
         }
     }
 
-    /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers them
-    /// to their peaks and to the extremes. `along` is the stretch of each quad and `touched`
-    /// whether the object touches it.
+    /// Offers them to their peaks and to the extremes at `time`, in s; `share` is of a low pass,
+    /// `along` the stretch of each quad and `touched` whether the object touches it.
     pub fn read(
         &mut self,
         eye: &SpatialEye,
