@@ -31,7 +31,7 @@ fn shell_at_rest(eye: &AxisymmetricEye) -> Vec<f64> {
     [x, r].concat()
 }
 
-/// What a shell with its nodes at such places stores, their forces, and the tension of each segment.
+/// What a shell with its nodes at such places stores, their forces, and each segment's tension.
 fn drawn(shell: &Shell, at: &[f64]) -> (f64, Vec<f64>, Vec<[f64; 2]>) {
     let n = at.len() / 2;
     let (mut forces, mut tension) = (vec![0.0; 2 * n], vec![[0.0; 2]; n - 1]);

@@ -16,6 +16,7 @@
 //! many cells at once and is tested against it.
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell, parameters::Material};
+use nalgebra::Matrix2;
 use std::f64::consts::FRAC_PI_3;
 
 /// Linear and quadratic artificial viscosity.
@@ -248,32 +249,26 @@ impl Rest {
     /// Adds what resists shear, with the gradients of position and velocity in the middle of the
     /// quad: the diagonals are mapped exactly by them.
     fn shear(&self, section: &Section, v: [Point; 4], now: f64, response: &mut Response) {
-        let Section { a, b, det, .. } = *section;
-        let (strain, isochoric) = self.strain(section);
-        let Strain { xx, xr, rr, hh, third } = strain;
+        let Section { a, b, det, radius, .. } = *section;
+        let (Strain { xx, xr, rr, hh, third }, isochoric) = self.strain(section);
         let g = self.material.shear * isochoric * self.volume;
+
         let (va, vb) = diagonals(v);
-        let l_xx = (va.0 * b.1 - vb.0 * a.1) / det;
-        let l_xr = (vb.0 * a.0 - va.0 * b.0) / det;
-        let l_rx = (va.1 * b.1 - vb.1 * a.1) / det;
-        let l_rr = (vb.1 * a.0 - va.1 * b.0) / det;
-        let l_hh = 0.25 * v.iter().map(|v| v.1).sum::<f64>() / section.radius;
-        let mean = (l_xx + l_rr + l_hh) / 3.0;
-        let shearing = 0.5 * (l_xr + l_rx);
+        let inverse = Matrix2::new(b.1, -b.0, -a.1, a.0) / det;
+        let l = Matrix2::new(va.0, vb.0, va.1, vb.1) * inverse;
+        let l_hh = 0.25 * v.iter().map(|v| v.1).sum::<f64>() / radius;
+        let (one, mean) = (Matrix2::identity(), (l.trace() + l_hh) / 3.0);
+        let (rates, d_hh) = ((l + l.transpose()) * 0.5 - one * mean, l_hh - mean);
         let n = 2.0 * self.material.viscosity * now;
-        let s_xx = g * (xx - third) + n * (l_xx - mean);
-        let s_xr = g * xr + n * shearing;
-        let s_rr = g * (rr - third) + n * (l_rr - mean);
-        let s_hh = g * (hh - third) + n * (l_hh - mean);
-        let squares = (l_xx - mean).powi(2) + (l_rr - mean).powi(2) + (l_hh - mean).powi(2);
-        response.loss += n * (squares + 2.0 * shearing * shearing);
-        let on_a = ((s_xx * b.1 - s_xr * b.0) / det, (s_xr * b.1 - s_rr * b.0) / det);
-        let on_b = ((s_xr * a.0 - s_xx * a.1) / det, (s_rr * a.0 - s_xr * a.1) / det);
-        let out = 0.25 * s_hh / section.radius;
-        let corners = [(-on_a.0, -on_a.1), (-on_b.0, -on_b.1), on_a, on_b];
-        for (force, corner) in response.force.iter_mut().zip(corners) {
-            force.0 -= corner.0;
-            force.1 -= corner.1 + out;
+        response.loss += n * (rates.norm_squared() + d_hh * d_hh);
+
+        let stress = (Matrix2::new(xx, xr, xr, rr) - one * third) * g + rates * n;
+        let on_diagonals = stress * inverse.transpose();
+        let out = 0.25 * (g * (hh - third) + n * d_hh) / radius;
+        for (i, force) in response.force.iter_mut().enumerate() {
+            let on = on_diagonals.column(i % 2) * if i < 2 { 1.0 } else { -1.0 };
+            force.0 += on.x;
+            force.1 += on.y - out;
         }
     }
 

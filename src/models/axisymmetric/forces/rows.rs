@@ -20,51 +20,30 @@ use std::f64::consts::FRAC_PI_3;
 
 /// What is constant of a cell.
 pub(crate) mod field {
-    /// m3 over pi/3.
-    pub const VOLUME: usize = 0;
-    /// Volumes of the four corner triangles, m3 over pi/3.
-    pub const TRIANGLE: usize = 1;
+    pub const VOLUME: usize = 0; // m3 over pi/3.
+    pub const TRIANGLE: usize = 1; // Volumes of the four corner triangles, m3 over pi/3.
     pub const INVERSE_TRIANGLE: usize = 5;
-    /// Inverse of the matrix of the diagonals, row by row.
-    pub const DIAGONAL: usize = 9;
+    pub const DIAGONAL: usize = 9; // Inverse of the matrix of the diagonals, row by row.
     pub const INVERSE_RADIUS: usize = 13;
-    /// 1/(2 area).
-    pub const INVERSE_DET: usize = 14;
-    /// Least 2 area that counts.
-    pub const LEAST_DET: usize = 15;
+    pub const INVERSE_DET: usize = 14; // 1/(2 area).
+    pub const LEAST_DET: usize = 15; // Least 2 area that counts.
     pub const BULK: usize = 16;
-    /// Shear modulus times volume, J.
-    pub const SHEAR: usize = 17;
-    /// Twice the viscosity.
-    pub const VISCOSITY: usize = 18;
-    /// A sixth of the stiffness against folding, Pa.
-    pub const SUBZONAL: usize = 19;
-    /// Artificial viscosity per length and rate.
-    pub const LINEAR: usize = 20;
-    /// Artificial viscosity per square of length and of rate.
-    pub const QUADRATIC: usize = 21;
-    /// Half the viscosity of the corners per length.
-    pub const CORNER: usize = 22;
-    /// Squared speed of sound.
-    pub const BULK_SPEED: usize = 23;
-    /// What other stiffness adds to it.
-    pub const OTHER_SPEED: usize = 24;
-    /// Viscous speed that does not depend on the state.
-    pub const CONSTANT_SPEED: usize = 25;
-    /// Kinematic viscosity.
-    pub const KINEMATIC: usize = 26;
-    /// Part of the viscous speed per length and rate.
-    pub const QUADRATIC_SPEED: usize = 27;
-    /// Weight in the mean pressure of the globe.
-    pub const MEAN: usize = 28;
-    /// Weight in the pressure at the back.
-    pub const SENSOR: usize = 29;
-    /// 1 for a cell of the globe.
-    pub const GLOBE: usize = 30;
-    /// Longest steps over the time in which a triangle would be gone.
-    pub const SHRINKING: usize = 31;
-    /// 0, or so much that a triangle is never the least.
-    pub const ABSENT: usize = 32;
+    pub const SHEAR: usize = 17; // Shear modulus times volume, J.
+    pub const VISCOSITY: usize = 18; // Twice the viscosity.
+    pub const SUBZONAL: usize = 19; // A sixth of the stiffness against folding, Pa.
+    pub const LINEAR: usize = 20; // Artificial viscosity per length and rate.
+    pub const QUADRATIC: usize = 21; // Artificial viscosity per square of length and of rate.
+    pub const CORNER: usize = 22; // Half the viscosity of the corners per length.
+    pub const BULK_SPEED: usize = 23; // Squared speed of sound.
+    pub const OTHER_SPEED: usize = 24; // What other stiffness adds to it.
+    pub const CONSTANT_SPEED: usize = 25; // Viscous speed that does not depend on the state.
+    pub const KINEMATIC: usize = 26; // Kinematic viscosity.
+    pub const QUADRATIC_SPEED: usize = 27; // Part of the viscous speed per length and rate.
+    pub const MEAN: usize = 28; // Weight in the mean pressure of the globe.
+    pub const SENSOR: usize = 29; // Weight in the pressure at the back.
+    pub const GLOBE: usize = 30; // 1 for a cell of the globe.
+    pub const SHRINKING: usize = 31; // Longest steps over the time until a triangle would be gone.
+    pub const ABSENT: usize = 32; // 0, or so much that a triangle is never the least.
     pub const COUNT: usize = 33;
 }
 

@@ -31,47 +31,27 @@ use crate::models::spatial::forces::math::{
 
 /// What is constant of a cell.
 pub(crate) mod field {
-    /// m3.
-    pub const VOLUME: usize = 0;
-    /// 1/m3.
-    pub const INVERSE_VOLUME: usize = 1;
-    /// Slopes of the volume at rest over the volume, mode by mode, 1/m.
-    pub const SLOPE: usize = 2;
-    /// Six times the volumes of the corner tetrahedra, m3.
-    pub const CORNER: usize = 20;
+    pub const VOLUME: usize = 0; // m3.
+    pub const INVERSE_VOLUME: usize = 1; // 1/m3.
+    pub const SLOPE: usize = 2; // Slopes of the volume at rest over the volume, mode by mode, 1/m.
+    pub const CORNER: usize = 20; // Six times the volumes of the corner tetrahedra, m3.
     pub const BULK: usize = 28;
-    /// Shear modulus times volume, J.
-    pub const SHEAR: usize = 29;
-    /// Twice the viscosity.
-    pub const VISCOSITY: usize = 30;
-    /// A third of the stiffness against folding times the weight of corners, Pa.
-    pub const SUBZONAL: usize = 31;
-    /// Artificial viscosity per length and rate.
-    pub const LINEAR: usize = 32;
-    /// Artificial viscosity per square of length and of rate.
-    pub const QUADRATIC: usize = 33;
-    /// Viscosity of the corners per length, with their weight.
-    pub const CORNER_VISCOSITY: usize = 34;
-    /// Viscosity of the modes that change nothing, per length and volume.
-    pub const HOURGLASS: usize = 35;
-    /// Squared speed of sound.
-    pub const BULK_SPEED: usize = 36;
-    /// What other stiffness adds to it.
-    pub const OTHER_SPEED: usize = 37;
-    /// Viscous speed that does not depend on the state.
-    pub const CONSTANT_SPEED: usize = 38;
-    /// Kinematic viscosity.
-    pub const KINEMATIC: usize = 39;
-    /// Part of the squared frequency of a corner.
-    pub const CORNER_SPEED: usize = 40;
-    /// Weight in the mean pressure of the globe.
-    pub const MEAN: usize = 41;
-    /// Weight in the pressure at the back.
-    pub const SENSOR: usize = 42;
-    /// 1 for a cell of the globe.
-    pub const GLOBE: usize = 43;
-    /// 1, or 0 of a place without a cell.
-    pub const PRESENT: usize = 44;
+    pub const SHEAR: usize = 29; // Shear modulus times volume, J.
+    pub const VISCOSITY: usize = 30; // Twice the viscosity.
+    pub const SUBZONAL: usize = 31; // A third of the stiffness of corners, with their weight, Pa.
+    pub const LINEAR: usize = 32; // Artificial viscosity per length and rate.
+    pub const QUADRATIC: usize = 33; // Artificial viscosity per square of length and of rate.
+    pub const CORNER_VISCOSITY: usize = 34; // Of the corners per length, with their weight.
+    pub const HOURGLASS: usize = 35; // Of modes that change nothing, per length and volume.
+    pub const BULK_SPEED: usize = 36; // Squared speed of sound.
+    pub const OTHER_SPEED: usize = 37; // What other stiffness adds to it.
+    pub const CONSTANT_SPEED: usize = 38; // Viscous speed that does not depend on the state.
+    pub const KINEMATIC: usize = 39; // Kinematic viscosity.
+    pub const CORNER_SPEED: usize = 40; // Part of the squared frequency of a corner.
+    pub const MEAN: usize = 41; // Weight in the mean pressure of the globe.
+    pub const SENSOR: usize = 42; // Weight in the pressure at the back.
+    pub const GLOBE: usize = 43; // 1 for a cell of the globe.
+    pub const PRESENT: usize = 44; // 1, or 0 of a place without a cell.
     pub const COUNT: usize = 45;
 }
 

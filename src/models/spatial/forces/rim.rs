@@ -14,9 +14,9 @@
 //!   the eighth power by length of arc, near the deepest of them but smooth. So one force holds a
 //!   ball that rests on one place of the rim or on all of it.
 //!
-//! What keeps the globe in its orbit when a blow throws it against the rim: a node of the shell within
-//! the sphere that is nearest to its azimuth is pushed out of it, by a foundation over the area that
-//! the node stands for at rest.
+//! What keeps the globe in its orbit when a blow throws it against the rim: a node of the shell in
+//! the sphere that is nearest to its azimuth is pushed out of it, by a foundation over the area
+//! that the node stands for at rest.
 //!
 //! Left out: skin and muscle on the bone, friction, that bone breaks, and that a squeezed ball gets
 //! wider.
