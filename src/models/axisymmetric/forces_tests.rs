@@ -49,7 +49,7 @@ pub(crate) fn surfaces(stiffness: f64, radius: f64) -> [ObjectSurface; 3] {
     ]
 }
 
-fn sphere(surface: ObjectSurface) -> Object {
+pub(crate) fn sphere(surface: ObjectSurface) -> Object {
     Object { outline: ObjectOutline::Sphere(5e-3), mass: 1e-3, speed: 10.0, surface, spring: None }
 }
 

@@ -3,8 +3,8 @@
 #![expect(clippy::needless_range_loop, reason = "corners and components go together")]
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
-use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
-use crate::models::axisymmetric::forces_tests::{numbers, surfaces, worst as worst_of};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::forces_tests::{numbers, sphere, surfaces, worst as worst_of};
 use crate::models::paper::forces::kernel::vector_sets;
 use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim, point::Nodes};
 use crate::models::spatial::forces::cell::{self, Eight, Fields};
@@ -186,10 +186,6 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
     }
 }
 
-fn object(outline: ObjectOutline, surface: ObjectSurface) -> Object {
-    Object { outline, mass: 1e-3, speed: 10.0, surface, spring: None }
-}
-
 #[test]
 fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surface() {
     let eye = eye(None, Extent::Full);
@@ -198,7 +194,7 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
         for surface in surfaces(1e9, 5e-3) {
             for depth in [0.3e-3, 1.5e-3, 3.4e-3] {
-                let object = object(outline, surface);
+                let object = Object { outline, ..sphere(surface) };
                 let at = way * (depth - 12e-3 - object.reach());
                 let mut respond = |state: &NodeState| {
                     let mut state = state.clone();
@@ -234,7 +230,7 @@ fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
     let rim = Rim::new(&eye).unwrap();
     for outline in [ObjectOutline::Sphere(20e-3), ObjectOutline::Cylinder(20e-3, 2e-3)] {
         for surface in surfaces(1e8, 20e-3) {
-            let object = object(outline, surface);
+            let object = Object { outline, ..sphere(surface) };
             let way = Vector3::new(1.0, -0.3, -0.2).normalize();
             let touch = rim.first_touch(outline, (way, Vector3::zeros())).unwrap();
             for depth in [0.5e-3, 3e-3] {

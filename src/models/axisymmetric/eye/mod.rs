@@ -302,11 +302,6 @@ impl AxisymmetricEye {
         }
         regions
     }
-
-    /// The front edge of the wall, in m, the same on every mesh.
-    pub fn rim(&self) -> Option<(f64, f64)> {
-        Some(self.parameters.surround?.edge())
-    }
 }
 
 #[cfg(test)]
@@ -344,7 +339,7 @@ mod tests {
                     let least = eye.mesh.shell.iter().map(off).fold(f64::INFINITY, f64::min);
                     assert!(least < 1e-12, "{level} {mark} {least}");
                 }
-                let rim = front_angle(eye.rim().unwrap());
+                let rim = front_angle(surround.edge());
                 assert!((rim - surround.opening).abs() < 1e-12);
                 let pure = |s: &ShellSegment| s.sclera == 0.0 || s.sclera == 1.0;
                 assert!(eye.segments.iter().all(pure));
@@ -396,7 +391,7 @@ mod tests {
             let shell = over_shell(&eye, |segment| 2.0 * PI * 1100.0 * segment.thickness);
             let mass: f64 = eye.mass.iter().sum();
             assert!((mass / (cells + shell) - 1.0).abs() < 1e-12);
-            assert!(eye.mass.iter().all(|&m| m > 0.0) && eye.rim().is_none());
+            assert!(eye.mass.iter().all(|&m| m > 0.0));
             assert!(mass > 8e-3 && mass < 8.5e-3, "{mass}");
         }
     }

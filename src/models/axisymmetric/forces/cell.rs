@@ -35,7 +35,6 @@ pub(crate) const FLAT: f64 = 1e-3;
 type Point = (f64, f64);
 
 /// What one cell is at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rest {
     pub volume: f64,
     pub triangles: [f64; 4],
@@ -48,7 +47,6 @@ pub(crate) struct Rest {
 }
 
 /// What a cell does at some instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Response {
     /// On each corner, N.
     pub force: [Point; 4],

@@ -23,7 +23,6 @@ pub(crate) const TOUCHING: f64 = 5e-5;
 pub(crate) const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Target {
     /// Area of each point at rest, m2, segment by segment.
     area: Vec<[f64; POINTS]>,
@@ -89,7 +88,8 @@ impl Target {
             (areas, SHELL_AREAL + ENTRAINED * length)
         };
         let (area, areal) = eye.mesh.shell.windows(2).map(segment).unzip();
-        Self { area, areal, face: eye.rim().map(|(x, r)| Face::beyond(x, r)) }
+        let around = eye.parameters.surround;
+        Self { area, areal, face: around.map(|around| Face::beyond(around.edge())) }
     }
 
     /// Where the front of an object is as it first touches the front pole at `pole` or the rim, m.

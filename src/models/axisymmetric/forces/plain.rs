@@ -6,7 +6,6 @@ use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::{forces::cell::Rest, recording::sensor};
 
 /// Cells with lists of corners.
-#[derive(Debug, Clone)]
 pub(crate) struct PlainCells {
     eye: AxisymmetricEye,
     cells: Vec<(Rest, [usize; 4])>,

@@ -76,7 +76,6 @@ pub(crate) struct RowRun {
 pub(crate) type Corners = [(Aligned, Aligned); 4];
 
 /// The cells of an eye in rows.
-#[derive(Debug, Clone)]
 pub(crate) struct CellRows {
     pub runs: Vec<RowRun>,
     pub groups: Vec<CellGroup>,

@@ -36,7 +36,6 @@ struct Hinge {
 }
 
 /// The chain.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shell {
     pieces: Vec<Piece>,
     hinges: Vec<Hinge>,

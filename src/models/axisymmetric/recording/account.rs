@@ -23,7 +23,6 @@ pub(crate) struct Shape {
 }
 
 /// An object on its way: in m and m/s along the blow.
-#[derive(Debug, Clone, Copy)]
 pub(crate) struct Flight {
     pub intrusion: f64,
     pub middle: f64,
@@ -31,7 +30,6 @@ pub(crate) struct Flight {
 }
 
 /// Readings, energies and traces of a run so far.
-#[derive(Debug, Clone)]
 pub(crate) struct Account {
     pub window: Until,
     /// How long the slowest swing of the eye takes, s.

@@ -77,7 +77,6 @@ impl LowPass {
 }
 
 /// The mean of something over the last while.
-#[derive(Debug, Clone)]
 pub(crate) struct RunningMean {
     pub now: f64,
     /// Length of the mean, in s.
@@ -137,7 +136,6 @@ impl<const D: usize> Velocities<D> {
 }
 
 /// The four monitored places and what they have been through.
-#[derive(Debug, Clone)]
 pub(crate) struct Accelerometers {
     places: [Vec<(usize, f64)>; 4],
     velocities: Velocities<2>,

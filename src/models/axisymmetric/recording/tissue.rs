@@ -42,7 +42,6 @@ struct Piece {
 }
 
 /// What the tissues of one eye are read with.
-#[derive(Debug, Clone)]
 pub(crate) struct Tissues {
     equator: Vec<(Piece, LowPass)>,
     back: Vec<Piece>,

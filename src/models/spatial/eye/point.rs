@@ -1,7 +1,7 @@
 //! Points that move with the eye: a weighted mean of nodes.
 
 use crate::models::spatial::eye::mesh::{Extent, Place};
-use crate::models::spatial::eye::{Cell, SpatialEye, share_of, shares, upon, within};
+use crate::models::spatial::eye::{SpatialEye, share_of, shares, upon, within};
 use crate::models::spatial::forces::state::vector;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
@@ -86,17 +86,17 @@ impl SpatialEye {
     /// The point at a place, and its cell, if some cell is there; of the globe alone if asked for.
     pub(crate) fn at(&self, place: Vector3<f64>, only: Option<Place>) -> Option<(Point, usize)> {
         let (place, mirrored) = self.computed(place);
-        let wanted = |cell: &Cell<8>| only.is_none_or(|only| cell.region == only);
-        let cells = self.cells.iter().enumerate().filter(|(_, cell)| wanted(cell));
-        for (number, cell) in cells {
+        self.cells.iter().enumerate().find_map(|(number, cell)| {
+            if only.is_some_and(|only| cell.region != only) {
+                return None;
+            }
             let p = cell.corners.map(|node| self.mesh.at[node]);
             let middle = within(&p, [0.5; 3]);
             let reach = p.iter().map(|p| (p - middle).norm()).fold(0.0, f64::max);
             if (place - middle).norm() > 1.01 * reach {
-                continue;
+                return None;
             }
             let mut s = Vector3::repeat(0.5);
-            let mut found = true;
             for _ in 0..STEPS {
                 let at = |s: Vector3<f64>| within(&p, s.into());
                 let along = |bit: usize| {
@@ -105,20 +105,14 @@ impl SpatialEye {
                     at(high) - at(low)
                 };
                 let slope = Matrix3::from_columns(&[along(0), along(1), along(2)]);
-                match slope.try_inverse() {
-                    Some(inverse) => s -= inverse * (at(s) - place),
-                    None => found = false,
-                }
+                s -= slope.try_inverse()? * (at(s) - place);
             }
             let inside = |s: &f64| (-SLACK..=1.0 + SLACK).contains(s);
             let off = (within(&p, s.into()) - place).norm();
-            if !found || off > SLACK * reach || !s.iter().all(inside) {
-                continue;
-            }
             let shares = (0..8).map(|i| (cell.corners[i], share_of(i, s.into()))).collect();
-            return Some((Point { shares, mirrored }, number));
-        }
-        None
+            let found = off <= SLACK * reach && s.iter().all(inside);
+            found.then_some((Point { shares, mirrored }, number))
+        })
     }
 }
 

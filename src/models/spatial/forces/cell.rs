@@ -59,7 +59,7 @@ pub(crate) mod field {
 pub(crate) type Constants = [f64; field::COUNT];
 
 /// The constants of a cell, or of as many as are computed at once.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct Fields<'a> {
     pub of: &'a [f64],
     /// From one constant to the next, and the first cell's place in each.
@@ -82,7 +82,6 @@ impl<'a> Fields<'a> {
 pub(crate) type Eight<N> = [Three<N>; 8];
 
 /// What a cell does at some instant.
-#[derive(Debug, Clone, Copy)]
 pub(crate) struct Response<N> {
     /// On each corner, N.
     pub force: Eight<N>,

@@ -35,7 +35,6 @@ struct Open {
 }
 
 /// The eye as contact sees it.
-#[derive(Debug, Clone)]
 pub(crate) struct Target {
     quads: Vec<Open>,
     /// Places of nodes that are open but not of the shell, at rest.

@@ -15,7 +15,6 @@ use std::collections::BTreeMap;
 const LEAST: f64 = 1e-3;
 
 /// Eight hinges.
-#[derive(Debug, Clone, Copy)]
 struct Group {
     /// Both ends of the edge, and the ends of the edges beyond on either side.
     nodes: [[u32; LANES]; 6],
@@ -29,7 +28,6 @@ struct Group {
 }
 
 /// All hinges.
-#[derive(Debug, Clone)]
 pub(crate) struct Hinges {
     groups: Vec<Group>,
 }

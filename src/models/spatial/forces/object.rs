@@ -204,18 +204,12 @@ pub(crate) fn touches(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::axisymmetric::{forces::object::ObjectSurface, forces_tests::sphere};
 
     #[test]
     fn an_object_touches_where_its_depth_begins() {
-        use crate::models::axisymmetric::forces::object::ObjectSurface;
         for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
-            let object = Object {
-                outline,
-                mass: 1e-3,
-                speed: 10.0,
-                surface: ObjectSurface::RIGID,
-                spring: None,
-            };
+            let object = Object { outline, ..sphere(ObjectSurface::RIGID) };
             for aside in [0.0, 2e-3, 4.5e-3] {
                 let at = Vector::new(-12e-3, aside, 0.0);
                 let line = (Vector::x(), Vector::zeros());

@@ -7,7 +7,6 @@ use crate::models::spatial::forces::state::{Cells, NodeState};
 use crate::models::spatial::{forces::math::Plain, recording::sensor};
 
 /// Cells with lists of corners.
-#[derive(Debug, Clone)]
 pub(crate) struct PlainCells {
     cells: Vec<(Constants, [usize; 8])>,
     pressures: Vec<f64>,

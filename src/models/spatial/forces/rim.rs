@@ -45,7 +45,6 @@ const FOUNDATION: f64 = 3e10;
 const STIFFNESS: f64 = 1e9;
 
 /// The edge of bone.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Rim {
     spheres: Vec<RimSphere>,
 }
@@ -180,7 +179,6 @@ impl Rim {
 }
 
 /// The edge of bone as the globe meets it.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bone {
     spheres: Vec<RimSphere>,
     /// Nearer to the axis than this there is none, m.

@@ -26,7 +26,6 @@ enum CornerNodes {
 }
 
 /// Eight cells.
-#[derive(Debug, Clone, Copy)]
 struct Group {
     corners: [CornerNodes; 8],
     /// How many of them are cells.
@@ -34,7 +33,6 @@ struct Group {
 }
 
 /// The cells of an eye in groups.
-#[derive(Debug, Clone)]
 pub(crate) struct CellRows {
     groups: Vec<Group>,
     /// Group by group, by [`field`].

@@ -43,7 +43,6 @@ struct Metric {
 }
 
 /// Eight quads.
-#[derive(Debug, Clone, Copy)]
 struct Group {
     corners: [[u32; LANES]; 4],
     /// The middle, then the corners.
@@ -54,7 +53,6 @@ struct Group {
 }
 
 /// Cornea and sclera.
-#[derive(Debug, Clone)]
 pub(crate) struct Shell {
     groups: Vec<Group>,
     hinges: Hinges,

@@ -51,7 +51,6 @@ pub(crate) fn monitored(eye: &SpatialEye, up: f64) -> [Vector3<f64>; 4] {
 }
 
 /// The four monitored places and what they have been through.
-#[derive(Debug, Clone)]
 pub(crate) struct Accelerometers {
     places: [Option<Point>; 4],
     velocities: Velocities<3>,

@@ -20,7 +20,6 @@ const DIRECTIONS: usize = 8;
 const STEPS: usize = 12;
 
 /// What the shape is read with.
-#[derive(Debug, Clone)]
 pub(crate) struct Shapes {
     way: Vector3<f64>,
     /// Front pole of the eye, and both poles along the way.

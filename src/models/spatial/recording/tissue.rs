@@ -40,7 +40,6 @@ const POINTS: usize = 6;
 const READ: [[f64; 2]; 3] = [[0.63, 0.82], [0.78, 0.92], [0.85, 0.95]];
 
 /// A quad of the shell near the equator.
-#[derive(Debug, Clone, Copy)]
 struct EquatorQuad {
     quad: usize,
     /// How much of it lies within the band.
@@ -51,7 +50,6 @@ struct EquatorQuad {
 }
 
 /// How far the lens's equator is from where it is held.
-#[derive(Debug, Clone)]
 struct Held {
     lens: Point,
     shell: Point,
@@ -60,7 +58,6 @@ struct Held {
 }
 
 /// What the tissues of one eye are read with.
-#[derive(Debug, Clone)]
 pub(crate) struct Tissues {
     equator: Vec<EquatorQuad>,
     /// Quads with their weights in each quadrant.
@@ -110,12 +107,9 @@ impl Tissues {
             let share = banded.count() as f64 / count;
             let hour = |sign: f64| piece(sign * quad.seen.1 + up, 0.0, HOURS);
             if share > 0.0 {
-                equator.push(EquatorQuad {
-                    quad: number,
-                    share,
-                    hours: [hour(1.0), hour(*images.last().unwrap_or(&1.0))],
-                    passed: LowPass::default(),
-                });
+                let (hours, passed) =
+                    ([hour(1.0), hour(images[images.len() - 1])], LowPass::default());
+                equator.push(EquatorQuad { quad: number, share, hours, passed });
             }
             let whole = area(&p) / count;
             let mut weights = [0.0; QUADRANTS];
@@ -136,12 +130,11 @@ impl Tissues {
         }
         let count = HOURS * PIECES;
         let azimuth = |hour: f64| TAU * hour / HOURS as f64 - up;
-        let ring: Vec<Point> = (0..count)
-            .filter_map(|i| {
-                let hour = (i as f64) / PIECES as f64 - 0.5;
-                eye.on_shell(direction(EDGE_DEG, azimuth(hour)))
-            })
-            .collect();
+        let ring = (0..count).filter_map(|i| {
+            let hour = (i as f64) / PIECES as f64 - 0.5;
+            eye.on_shell(direction(EDGE_DEG, azimuth(hour)))
+        });
+        let ring: Vec<Point> = ring.collect();
         let ring_rest = lengths(&ring, at);
         let held = [EDGE_DEG, IRIS_DEG].map(|front| {
             let held = (0..HOURS).filter_map(|hour| {
@@ -150,12 +143,8 @@ impl Tissues {
                 let place = Vector3::x() * x + towards(azimuth) * r;
                 let (lens, _) = eye.at(place, Some(Place::Globe))?;
                 let shell = eye.on_shell(direction(front, azimuth))?;
-                Some(Held {
-                    rest: (shell.of(at) - lens.of(at)).norm(),
-                    lens,
-                    shell,
-                    passed: LowPass::default(),
-                })
+                let rest = (shell.of(at) - lens.of(at)).norm();
+                Some(Held { rest, lens, shell, passed: LowPass::default() })
             });
             held.collect()
         });
@@ -185,15 +174,13 @@ impl Tissues {
     ) {
         self.now = [0.0; 5];
         for quad in &mut self.equator {
-            let dented = touched[quad.quad];
             let passed = quad.passed.pass(along[quad.quad], share);
-            if dented {
+            if touched[quad.quad] {
                 continue;
             }
             let stretch = passed * quad.share;
-            self.now[0] = self.now[0].max(stretch);
             for hour in quad.hours {
-                e.sectors.equator[hour] = e.sectors.equator[hour].max(stretch);
+                felt(&mut self.now[0], &mut e.sectors.equator[hour], stretch);
             }
             if stretch > peaks[0].value {
                 peaks[0].offer(stretch, time);
@@ -203,8 +190,7 @@ impl Tissues {
         for quadrant in 0..QUADRANTS {
             let mean = self.back.iter().map(|(quad, w)| w[quadrant] * along[*quad]);
             let mean = self.back_passed[quadrant].pass(mean.sum(), share);
-            self.now[1] = self.now[1].max(mean);
-            e.sectors.back[quadrant] = e.sectors.back[quadrant].max(mean);
+            felt(&mut self.now[1], &mut e.sectors.back[quadrant], mean);
         }
         let lengths = lengths(&self.ring, at);
         for hour in 0..HOURS {
@@ -213,22 +199,25 @@ impl Tissues {
             };
             let grown = of(&lengths) / of(&self.ring_rest) - 1.0;
             let stretch = self.ring_passed[hour].pass(grown, share);
-            self.now[2] = self.now[2].max(stretch);
-            e.sectors.edge[hour] = e.sectors.edge[hour].max(stretch);
+            felt(&mut self.now[2], &mut e.sectors.edge[hour], stretch);
         }
         for (which, held) in self.held.iter_mut().enumerate() {
             let to = if which == 0 { &mut e.sectors.lens } else { &mut e.sectors.iris };
             for (hour, held) in held.iter_mut().enumerate() {
                 let apart = (held.shell.of(at) - held.lens.of(at)).norm() - held.rest;
                 let pulled = held.passed.pass(apart / self.read[which], share);
-                self.now[3 + which] = self.now[3 + which].max(pulled);
-                to[hour] = to[hour].max(pulled);
+                felt(&mut self.now[3 + which], &mut to[hour], pulled);
             }
         }
         for (peak, now) in peaks.iter_mut().zip(self.now).skip(1) {
             peak.offer(now, time);
         }
     }
+}
+
+/// Takes a value to the largest now and to that of its sector.
+fn felt(now: &mut f64, sector: &mut f64, value: f64) {
+    (*now, *sector) = (now.max(value), sector.max(value));
 }
 
 /// Lengths from each point of a closed ring to the next.
