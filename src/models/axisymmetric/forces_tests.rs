@@ -109,7 +109,9 @@ proptest! {
         let eye = free_eye(1);
         let shell = Shell::new(&eye);
         let mut at = shell_at_rest(&eye);
-        at.iter_mut().zip(shifts.iter().cycle()).for_each(|(x, shift)| *x += shift);
+        for (x, shift) in at.iter_mut().zip(shifts.iter().cycle()) {
+            *x += shift;
+        }
         let error = worst(&at, 1e-9, &drawn(&shell, &at).1, |at| drawn(&shell, at).0);
         prop_assert!(error < 1e-5, "{error:e}");
     }

@@ -17,7 +17,7 @@ use crate::models::axisymmetric::forces::cell::volume;
 use crate::run::places::Region as Part;
 use mesh::{Layers, Mesh};
 use nalgebra::Point2;
-use parameters::{Material, Parameters, SUBZONAL_PA, Surround};
+use parameters::{Material, Parameters, SUBZONAL_PA};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -60,17 +60,12 @@ impl<const CORNERS: usize> Cell<CORNERS> {
         region: Tissue,
         lens: f64,
     ) -> Self {
-        match of.surround.filter(|_| region == Tissue::Surround) {
-            Some(Surround { material, .. }) => {
-                // What keeps soft cells from folding stays softer than they are.
-                let subzonal = SUBZONAL_PA.min(0.5 * material.bulk);
-                Self { corners, region, lens: 0.0, material, subzonal }
-            }
-            None => {
-                let material = of.lens.material.mixed(of.vitreous, lens);
-                Self { corners, region, lens, material, subzonal: SUBZONAL_PA }
-            }
-        }
+        let around = of.surround.filter(|_| region == Tissue::Surround).map(|s| s.material);
+        let lens = if around.is_none() { lens } else { 0.0 };
+        let material = around.unwrap_or_else(|| of.lens.material.mixed(of.vitreous, lens));
+        // What keeps soft cells from folding stays softer than they are.
+        let subzonal = around.map_or(SUBZONAL_PA, |soft| SUBZONAL_PA.min(0.5 * soft.bulk));
+        Self { corners, region, lens, material, subzonal }
     }
 
     /// The part of a picture that it belongs to.
@@ -306,6 +301,7 @@ impl AxisymmetricEye {
 
 #[cfg(test)]
 mod tests {
+    use super::parameters::Surround;
     use super::*;
 
     fn eye(level: u32, surround: Option<Surround>, axis_angle: f64) -> AxisymmetricEye {

@@ -164,7 +164,6 @@ impl Target {
     }
 
     /// Adds the forces of contact to those of nodes and to the projectile's.
-    #[expect(clippy::too_many_lines, reason = "one loop over quads and their points")]
     pub fn forces(
         &mut self,
         object: &Object,
