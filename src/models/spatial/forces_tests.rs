@@ -1,7 +1,5 @@
 //! Forces against differences of energy, rigid motion, and what is the same for all vectors.
 
-#![expect(clippy::needless_range_loop, reason = "corners and components go together")]
-
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::axisymmetric::forces_tests::{numbers, sphere, surfaces, worst as worst_of};
@@ -30,8 +28,9 @@ fn moved(eye: &SpatialEye, to: impl Fn(Vector3<f64>) -> Vector3<f64>) -> NodeSta
 }
 
 /// Vectors of all nodes, by component.
-fn by_component(of: impl Iterator<Item = Vector3<f64>> + Clone) -> Nodes {
-    std::array::from_fn(|k| of.clone().map(|of| of[k]).collect())
+fn by_component(of: impl Iterator<Item = Vector3<f64>>) -> Nodes {
+    let of: Vec<_> = of.collect();
+    std::array::from_fn(|k| of.iter().map(|of| of[k]).collect())
 }
 
 /// A displacement without any order, as large as `size`.
