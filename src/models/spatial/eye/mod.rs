@@ -71,6 +71,7 @@ pub(crate) fn within(p: &[Vector3<f64>; 8], s: [f64; 3]) -> Vector3<f64> {
 }
 
 /// How much of each corner of a quad is in a place at shares of its two directions.
+#[inline]
 pub(crate) fn shares(s: f64, t: f64) -> [f64; 4] {
     [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t]
 }

@@ -119,9 +119,13 @@ impl Shapes {
             for &(node, _) in &self.shell {
                 let plane = at[0][node] * e.x + at[1][node] * e.y;
                 let aside = at[2][node] * e.z;
-                let image = if self.mirrored { plane - aside } else { plane + aside };
-                least = least.min(plane + aside).min(image);
-                most = most.max(plane + aside).max(image);
+                let (low, high) = if self.mirrored {
+                    (plane - aside.abs(), plane + aside.abs())
+                } else {
+                    (plane + aside, plane + aside)
+                };
+                least = least.min(low);
+                most = most.max(high);
             }
             widest = widest.max(most - least);
         }

@@ -192,7 +192,13 @@ impl Tissues {
             let mean = self.back_passed[quadrant].pass(mean.sum(), share);
             felt(&mut self.now[1], &mut e.sectors.back[quadrant], mean);
         }
-        let lengths = lengths(&self.ring, at);
+        let mut before = self.ring.last().map_or(Vector3::zeros(), |p| p.of(at));
+        let mut lengths = [0.0; HOURS * PIECES];
+        for (i, point) in self.ring.iter().enumerate() {
+            let here = point.of(at);
+            lengths[(i + HOURS * PIECES - 1) % (HOURS * PIECES)] = (here - before).norm();
+            before = here;
+        }
         for hour in 0..HOURS {
             let of = |lengths: &[f64]| -> f64 {
                 lengths[hour * PIECES..(hour + 1) * PIECES].iter().sum()
