@@ -9,11 +9,6 @@
 //! 2/w with w^2 = (3/4) Ks j^-4 / VT0 sum |dVT/dx|^2 / (rho V0/8), and half of the time in which
 //! one would be gone at its present rate. Without them fast small objects fold cells.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::cell::{LOSS_IN_STEP, SQUEEZED};
 use crate::models::spatial::forces::cell::{Constants, Eight, Fields, field};
 use crate::models::spatial::forces::math::{Math, Three, cross, dot, minus, plus, times};
