@@ -22,13 +22,7 @@ pub struct Changing {
 impl Changing {
     /// Begins with how hard the blow is; none where nothing can be changed.
     pub fn of(name: &str, scenario: &Scenario) -> Option<Self> {
-        let all = rows(scenario, true).into_iter();
-        let fields: Vec<_> = all
-            .filter_map(|row| match row {
-                FormRow::Field(field) => Some(field),
-                _ => None,
-            })
-            .collect();
+        let fields: Vec<_> = rows(scenario, true).into_iter().filter_map(FormRow::field).collect();
         let first = strength(scenario);
         let at = fields.iter().position(|field| FormRow::Field(field) == first);
         let mut changing = Self {

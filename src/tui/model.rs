@@ -3,20 +3,18 @@
 
 use crate::answer::solve::Answer;
 use crate::scenario::Scenario;
-use crate::tui::form::{ScenarioForm, strength};
 use crate::tui::request::TaskQuestion as _;
 use crate::tui::simulation::{Complete, Simulate, first_estimate};
-use crate::tui::{choices::Choice, clock::Clock, ensemble::Samples, guest, keys::chosen::Keys};
-use crate::tui::{
-    look::Look, outbox::Outbox, overlay::Overlay, page::WritePage, shown::ShownAnswer,
-};
-use crate::tui::{task::Task, undo::History, work::Work};
+use crate::tui::{choices::Choice, clock::Clock, ensemble::Samples, form::ScenarioForm, guest};
+use crate::tui::{keys::chosen::Keys, look::Look, outbox::Outbox, overlay::Overlay};
+use crate::tui::{page::WritePage, shown::ShownAnswer, task::Task, undo::History, work::Work};
 use std::time::Duration;
 
 /// The answer through whose time the clock goes, and the end of that time in s.
 pub type Timed<'a> = (&'a Answer, f64);
 
 /// What the screens share.
+#[derive(Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each says one thing")]
 pub struct AppModel {
     /// What is being worked on.
@@ -72,36 +70,6 @@ pub struct AppModel {
 pub const FIRST_ESTIMATE: &str = "first estimate";
 
 impl AppModel {
-    /// A model about to work on `work`, with everything that can be opened.
-    pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
-        let form = ScenarioForm { selected: strength(&work.scenario), ..ScenarioForm::default() };
-        Self {
-            work,
-            history: History::default(),
-            form,
-            shown: None,
-            answered: None,
-            run: Task::default(),
-            rest: Task::default(),
-            page: Task::default(),
-            overlay: None,
-            clock: Clock::default(),
-            ensemble: Samples::default(),
-            removed: Vec::new(),
-            choices,
-            notice: None,
-            slow_link: false,
-            look,
-            mouse: false,
-            idle: true,
-            goes_on: false,
-            guest: false,
-            keys: Keys::default(),
-            now: Duration::ZERO,
-            out: Outbox::default(),
-        }
-    }
-
     /// Whether this scenario may be simulated here.
     ///
     /// # Errors

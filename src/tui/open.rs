@@ -10,6 +10,7 @@ use crate::plain_text::quoted;
 use crate::scenario::library::resolve;
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::tui::choices::{Choice, choices};
+use crate::tui::form::{ScenarioForm, strength};
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::{app::App, config::Config, look::Look, model::AppModel, overlay::Overlay};
 use crate::tui::{guest, saved_session, terminal};
@@ -233,6 +234,9 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
         }
         works.push(Work::fresh(source, &scenario));
     }
-    let model = AppModel::new(works[0].clone(), choices, look);
+    let work = works[0].clone();
+    let selected = strength(&work.scenario);
+    let form = ScenarioForm { selected, ..ScenarioForm::default() };
+    let model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
     Ok(App::new(model, &works))
 }

@@ -45,10 +45,9 @@ pub trait TaskQuestion: Send + Sync + 'static {
 pub(super) type Anything = Box<dyn Any + Send>;
 
 /// A question whatever its type.
-trait AnyQuestion: Send + Sync {
+trait AnyQuestion: Any + Send + Sync {
     fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal>;
     fn is_idle(&self) -> bool;
-    fn as_any(&self) -> &dyn Any;
 }
 
 impl<Q: TaskQuestion> AnyQuestion for Q {
@@ -59,10 +58,6 @@ impl<Q: TaskQuestion> AnyQuestion for Q {
 
     fn is_idle(&self) -> bool {
         TaskQuestion::is_idle(self)
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
     }
 }
 
@@ -94,23 +89,20 @@ impl Request {
 
     /// The question, if it is of this type.
     pub fn question<Q: TaskQuestion>(&self) -> Option<&Q> {
-        self.question.as_any().downcast_ref()
+        (self.question.as_ref() as &dyn Any).downcast_ref()
     }
 
     /// Tells the worker that it is for: a newer request of a kind takes the place of an older one.
     /// Whether nobody asked for it is the second part.
     pub fn kind(&self) -> (TypeId, bool) {
-        (self.question.as_any().type_id(), self.question.is_idle())
+        ((*self.question).type_id(), self.question.is_idle())
     }
 
     /// Does the work; `say` is told what there is so far.
     pub fn answered(&self, watch: Watch, say: &dyn Fn(Report)) -> Report {
-        let ticket = self.ticket;
-        let mut show = |so_far| {
-            let news = News::SoFar(so_far);
-            say(Report { ticket, news });
-        };
-        Report { ticket, news: News::Done(self.question.find(watch, &mut show)) }
+        let report = |news| Report { ticket: self.ticket, news };
+        let mut show = |so_far| say(report(News::SoFar(so_far)));
+        report(News::Done(self.question.find(watch, &mut show)))
     }
 }
 
@@ -134,19 +126,16 @@ pub(super) enum News {
 impl Report {
     /// This share of the work is done, from 0 to 1, so long after the beginning.
     pub fn progress(ticket: Ticket, share: f64, elapsed: Duration) -> Self {
-        let news = News::Share(share, elapsed);
-        Self { ticket, news }
+        Self { ticket, news: News::Share(share, elapsed) }
     }
 
     /// This is there already.
     pub fn so_far<Q: TaskQuestion>(ticket: Ticket, answer: Q::Answer) -> Self {
-        let news = News::SoFar(Box::new(answer));
-        Self { ticket, news }
+        Self { ticket, news: News::SoFar(Box::new(answer)) }
     }
 
     /// The work ended so.
     pub fn done<Q: TaskQuestion>(ticket: Ticket, outcome: Result<Q::Answer, Refusal>) -> Self {
-        let news = News::Done(outcome.map(|answer| Box::new(answer) as Anything));
-        Self { ticket, news }
+        Self { ticket, news: News::Done(outcome.map(|answer| Box::new(answer) as Anything)) }
     }
 }

@@ -1,11 +1,10 @@
-//! A thread that works while the app stays awake.
-//!
-//! It does one request and holds at most one more; a newer request takes the place of the held one
-//! and stops the running one.
+//! A thread that works while the app stays awake: on one request, which a newer one stops. Of
+//! those that wait then, only the newest is worked on.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{io, thread};
 
@@ -19,22 +18,12 @@ const REPORT_EVERY: Duration = Duration::from_millis(150);
 const LOOK_EVERY: Duration = Duration::from_millis(4);
 const SHOW_EVERY: Duration = Duration::from_millis(250);
 
-#[derive(Default)]
-struct Slot {
-    request: Option<Request>,
-    closed: bool,
-}
-
-#[derive(Default)]
-struct Shared {
-    slot: Mutex<Slot>,
-    filled: Condvar,
+/// A thread that works on the newest of the requests that wait for it.
+pub struct Worker {
+    requests: Sender<Request>,
     /// Requests with a lower ticket must stop.
-    wanted: AtomicU64,
+    wanted: Arc<AtomicU64>,
 }
-
-/// A thread with room for one running and one pending request.
-pub struct Worker(Arc<Shared>);
 
 impl Worker {
     /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is
@@ -47,73 +36,62 @@ impl Worker {
         is_idle: bool,
         say: impl Fn(Report) + Send + 'static,
     ) -> io::Result<Self> {
-        let shared = Arc::new(Shared::default());
-        let own = Arc::clone(&shared);
+        let (requests, waiting) = channel::<Request>();
+        let wanted = Arc::new(AtomicU64::new(0));
+        let own = Arc::clone(&wanted);
         threads::start(move || {
             if is_idle {
                 idle::give_way();
             }
-            work(&own, limit, &say);
+            while let Ok(request) = waiting.recv() {
+                let newest = waiting.try_iter().last().unwrap_or(request);
+                say(work(&newest, &own, limit, &say));
+            }
         })?;
-        Ok(Self(shared))
+        Ok(Self { requests, wanted })
     }
 
     /// Hands in a request. Tickets must rise.
     pub fn submit(&self, request: Request) {
-        self.0.wanted.store(request.ticket, Ordering::Relaxed);
-        self.lock().request = Some(request);
-        self.0.filled.notify_one();
+        self.wanted.store(request.ticket, Ordering::Relaxed);
+        // The thread waits as long as there is somebody who hands in.
+        let _ = self.requests.send(request);
     }
 
     /// Stops the request of this ticket, if it is the last that was handed in; earlier ones have
     /// stopped already.
     pub fn cancel(&self, ticket: Ticket) {
-        let wanted = &self.0.wanted;
-        let _ = wanted.compare_exchange(ticket, ticket + 1, Ordering::Relaxed, Ordering::Relaxed);
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, Slot> {
-        self.0.slot.lock().unwrap_or_else(PoisonError::into_inner)
+        let relaxed = Ordering::Relaxed;
+        let _ = self.wanted.compare_exchange(ticket, ticket + 1, relaxed, relaxed);
     }
 }
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        self.0.wanted.store(u64::MAX, Ordering::Relaxed);
-        self.lock().closed = true;
-        self.0.filled.notify_one();
+        self.wanted.store(u64::MAX, Ordering::Relaxed);
     }
 }
 
-fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
-    loop {
-        let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let request = loop {
-            if slot.closed {
-                return;
-            }
-            if let Some(request) = slot.request.take() {
-                break request;
-            }
-            slot = shared.filled.wait(slot).unwrap_or_else(PoisonError::into_inner);
-        };
-        drop(slot);
-        let begun = Instant::now();
-        let mut reported = begun;
-        let mut watch = |share| {
-            let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
-            if is_over || shared.wanted.load(Ordering::Relaxed) > request.ticket {
-                return ControlFlow::Break(());
-            }
-            if reported.elapsed() >= REPORT_EVERY {
-                reported = Instant::now();
-                say(Report::progress(request.ticket, share, begun.elapsed()));
-            }
-            ControlFlow::Continue(())
-        };
-        let outcome = request.answered(&mut watch, say);
-        say(outcome);
-    }
+fn work(
+    request: &Request,
+    wanted: &AtomicU64,
+    limit: Option<Duration>,
+    say: &impl Fn(Report),
+) -> Report {
+    let begun = Instant::now();
+    let mut reported = begun;
+    let mut watch = |share| {
+        let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
+        if is_over || wanted.load(Ordering::Relaxed) > request.ticket {
+            return ControlFlow::Break(());
+        }
+        if reported.elapsed() >= REPORT_EVERY {
+            reported = Instant::now();
+            say(Report::progress(request.ticket, share, begun.elapsed()));
+        }
+        ControlFlow::Continue(())
+    };
+    request.answered(&mut watch, say)
 }
 
 /// How far work on several threads is, and what there is of its answer so far.
@@ -133,7 +111,7 @@ impl<T> SharedProgress<T> {
         ControlFlow::Continue(())
     }
 
-    fn lock_so_far(&self) -> std::sync::MutexGuard<'_, Option<T>> {
+    fn lock_so_far(&self) -> MutexGuard<'_, Option<T>> {
         self.so_far.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -178,13 +156,13 @@ mod tests {
     use crate::run::refusal::Refusal;
     use crate::scenario::Scenario;
     use crate::tui::{request::News, simulation::Simulate};
-    use std::sync::mpsc::{Receiver, channel};
+    use std::sync::mpsc::Receiver;
 
     const PATIENCE: Duration = Duration::from_secs(30);
 
-    fn worker() -> (Worker, Receiver<Report>) {
+    fn worker(limit: Option<Duration>) -> (Worker, Receiver<Report>) {
         let (say, reports) = channel();
-        let worker = Worker::start(None, false, move |report| {
+        let worker = Worker::start(limit, false, move |report| {
             let _ = say.send(report);
         });
         (worker.unwrap(), reports)
@@ -211,7 +189,7 @@ mod tests {
 
     #[test]
     fn a_newer_request_stops_the_running_one_and_replaces_the_pending_one() {
-        let (worker, reports) = worker();
+        let (worker, reports) = worker(None);
         submit(&worker, 1, long());
         // Progress shows that the first is running.
         let first = reports.recv_timeout(PATIENCE).unwrap();
@@ -234,7 +212,7 @@ mod tests {
 
     #[test]
     fn a_cancelled_request_ends_and_the_worker_goes_on() {
-        let (worker, reports) = worker();
+        let (worker, reports) = worker(None);
         submit(&worker, 5, long());
         // That is another worker's.
         worker.cancel(9);
@@ -248,11 +226,7 @@ mod tests {
 
     #[test]
     fn what_takes_longer_than_the_limit_is_stopped() {
-        let (say, reports) = channel();
-        let worker = Worker::start(Some(Duration::from_millis(300)), false, move |report| {
-            let _ = say.send(report);
-        });
-        let worker = worker.unwrap();
+        let (worker, reports) = worker(Some(Duration::from_millis(300)));
         submit(&worker, 1, long());
         assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
         submit(&worker, 2, Scenario::default());
@@ -261,7 +235,7 @@ mod tests {
 
     #[test]
     fn dropping_the_worker_stops_its_request() {
-        let (worker, reports) = worker();
+        let (worker, reports) = worker(None);
         submit(&worker, 1, long());
         drop(worker);
         let begun = Instant::now();

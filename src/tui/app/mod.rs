@@ -2,8 +2,6 @@
 
 pub mod actions;
 pub(crate) mod chosen_keys;
-#[cfg(test)]
-pub(crate) mod driven;
 pub mod frame;
 mod help;
 mod mouse;

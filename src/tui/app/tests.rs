@@ -4,16 +4,16 @@ use crate::answer::solve::{Answer, solve};
 use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal, watch::unwatched};
 use crate::scenario::library::find;
 use crate::scenario::{ForcePulse, Impact, fields};
-use crate::tui::app::driven::{asked, begun, key, letter, opened};
 use crate::tui::app::frame::{draw, tabs};
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, tables};
 use crate::tui::form::{FormRow, Typing};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::prepare;
 use crate::tui::request::{Report, TaskQuestion, Ticket};
 use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, SimulateMarked};
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
-use crate::tui::{app::tables::footer_keys, changes::edit::change, outbox::Effect, prepare};
+use crate::tui::{app::tables::footer_keys, changes::edit::change, look::Look, outbox::Effect};
 use crate::tui::{save::SaveError, screens::SCREENS, screens::accuracy::measurement::Measurement};
 use crate::tui::{screens::map::state::Map, simulation::Simulate};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -31,6 +31,42 @@ mod saved_session;
 mod take_away;
 mod threshold;
 mod typing;
+
+/// Opened, without its first simulation.
+fn opened() -> App {
+    prepare(&[], Look::default()).unwrap()
+}
+
+/// Opened, and its first simulation asked for.
+fn begun() -> App {
+    let mut app = opened();
+    begin(&mut app);
+    app
+}
+
+/// The first question of a type that the effects ask.
+fn asked<Q: TaskQuestion>(effects: &[Effect]) -> Option<(Ticket, &Q)> {
+    effects.iter().find_map(|effect| match effect {
+        Effect::Start(request) => Some((request.ticket, request.question()?)),
+        _ => None,
+    })
+}
+
+/// Presses a key.
+fn key(app: &mut App, code: KeyCode) -> Vec<Effect> {
+    update(app, Message::Key(KeyEvent::from(code)))
+}
+
+/// Presses the key of a letter, or that of a digit with Alt, which shows its screen from every
+/// pane.
+fn letter(app: &mut App, letter: char) -> Vec<Effect> {
+    let held = match letter {
+        '0'..='9' => KeyModifiers::ALT,
+        _ => KeyModifiers::NONE,
+    };
+    let event = KeyEvent::new(KeyCode::Char(letter), held);
+    update(app, Message::Key(event))
+}
 
 fn app() -> App {
     let mut app = begun();

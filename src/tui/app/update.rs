@@ -8,7 +8,8 @@ use std::time::Duration;
 use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
 
 use crate::plain_text::quoted;
-use crate::tui::app::{App, help, mouse, tables};
+use crate::tui::app::tables::{self, shown_while_typing};
+use crate::tui::app::{App, help, mouse};
 use crate::tui::changes::{presets, samples, simulation, take_away, threshold, typing};
 use crate::tui::{choices::Choice, keys::begins_value, outbox::Effect, overlay::Overlay};
 use crate::tui::{request::Report, save::SaveError, screens::SCREENS, screens::screen::KeyOutcome};
@@ -94,10 +95,11 @@ fn tick(app: &mut App, now: Duration) {
 /// has is typed where something is typed, else it is said.
 fn key(app: &mut App, event: KeyEvent) {
     app.model.notice = None;
-    if let Some(table) = tables::in_front(&app.model) {
-        match table.find(&app.model.keys, event) {
+    if let Some(tables) = tables::in_front(&app.model) {
+        let keys = &app.model.keys;
+        match tables.iter().find_map(|table| table.find(keys, event)) {
             Some(binding) => run(app, binding.act),
-            None => match tables::shown_while_typing(&app.model, event) {
+            None => match shown_while_typing(&app.model, event) {
                 Some(place) if typing::accept(&mut app.model) => {
                     app.model.overlay = None;
                     app.show(place);

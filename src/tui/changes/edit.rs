@@ -37,13 +37,12 @@ pub(crate) fn travel(model: &mut AppModel, back: bool) {
         model.out.effects.push(Effect::Restore(name, text));
         return;
     }
-    let present = model.work.clone();
-    let other = if back { model.history.undo(present) } else { model.history.redo(present) };
-    if let Ok(work) = other {
-        set_work(model, work);
-    } else {
-        let what = if back { "undo" } else { "redo" };
-        model.notice = Some(format!("nothing to {what}"));
+    match model.history.travel(back, model.work.clone()) {
+        Some(work) => set_work(model, work),
+        None => {
+            let what = if back { "undo" } else { "redo" };
+            model.notice = Some(format!("nothing to {what}"));
+        }
     }
 }
 

@@ -8,7 +8,7 @@
 
 use crossterm::event::{KeyCode, KeyModifiers};
 
-use crate::tui::keys::press::Press;
+use crate::tui::keys::press::{HELD, NAMED, Press};
 use crate::tui::keys::{Key, KeyList};
 
 /// What was chosen, by the names of the bindings.
@@ -87,12 +87,7 @@ impl Press {
     pub fn read(written: &str) -> Result<Self, &'static str> {
         let mut modifiers = KeyModifiers::NONE;
         let mut rest = written.trim();
-        let prefixes = [
-            ("ctrl-", KeyModifiers::CONTROL),
-            ("alt-", KeyModifiers::ALT),
-            ("shift-", KeyModifiers::SHIFT),
-        ];
-        while let Some((prefix, modifier)) = prefixes.iter().find(|(prefix, _)| {
+        while let Some((prefix, modifier)) = HELD.iter().find(|(prefix, _)| {
             let head = rest.get(..prefix.len());
             rest.len() > prefix.len() && head.is_some_and(|head| head.eq_ignore_ascii_case(prefix))
         }) {
@@ -119,37 +114,12 @@ impl Press {
 
 fn code(word: &str) -> Option<KeyCode> {
     let mut chars = word.chars();
-    if let (Some(c), None) = (chars.next(), chars.next()) {
-        return match c {
-            '↑' => Some(KeyCode::Up),
-            '↓' => Some(KeyCode::Down),
-            '←' => Some(KeyCode::Left),
-            '→' => Some(KeyCode::Right),
-            c => (!c.is_control() && c != ' ').then_some(KeyCode::Char(c)),
-        };
+    if let Some((_, code)) = NAMED.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) {
+        return Some(*code);
     }
-    let words = [
-        ("space", KeyCode::Char(' ')),
-        ("up", KeyCode::Up),
-        ("down", KeyCode::Down),
-        ("left", KeyCode::Left),
-        ("right", KeyCode::Right),
-        ("home", KeyCode::Home),
-        ("end", KeyCode::End),
-        ("pgup", KeyCode::PageUp),
-        ("pgdn", KeyCode::PageDown),
-        ("tab", KeyCode::Tab),
-        ("enter", KeyCode::Enter),
-        ("esc", KeyCode::Esc),
-        ("backspace", KeyCode::Backspace),
-        ("delete", KeyCode::Delete),
-        ("insert", KeyCode::Insert),
-    ];
-    let lower = word.to_ascii_lowercase();
-    let named = words.iter().find(|(name, _)| *name == lower);
-    let function = || {
-        let number: u8 = lower.strip_prefix('f')?.parse().ok()?;
-        (1..=12).contains(&number).then_some(KeyCode::F(number))
-    };
-    named.map(|(_, code)| *code).or_else(function)
+    if let (Some(c), None) = (chars.next(), chars.next()) {
+        return (!c.is_control() && c != ' ').then_some(KeyCode::Char(c));
+    }
+    let number: u8 = word.strip_prefix(['f', 'F'])?.parse().ok()?;
+    (1..=12).contains(&number).then_some(KeyCode::F(number))
 }
