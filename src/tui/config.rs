@@ -14,12 +14,11 @@ use crate::scenario::load::read_text;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::{library, ron_text};
+use crate::tui::app::{chosen_keys::named, tables::clash};
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
 use crate::tui::view::palette::{Colour, Colours, DARK, FEW, Ground, LIGHT, ROLES};
 use crate::tui::view::{heat::HeatMap, text::wrapped};
-use crate::tui::{
-    app::chosen_keys::named, app::tables::clash, keys::chosen::Keys, screens::SCREENS,
-};
+use crate::tui::{keys::chosen::Keys, screens::SCREENS};
 
 /// What a person wants of the app.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,7 +31,7 @@ pub struct Config {
     #[serde(with = "word")]
     pub ground: Ground,
     /// Which symbols; `None` by the terminal.
-    #[serde(with = "word_or_auto")]
+    #[serde(serialize_with = "word::or_auto", deserialize_with = "word::read_or_auto")]
     pub symbols: Option<Symbols>,
     /// Which colours stand for heat.
     #[serde(with = "word")]
@@ -164,10 +163,8 @@ impl Config {
 
 /// Names and values, which JSON and RON write alike.
 fn fields(of: &impl Serialize) -> Map<String, Value> {
-    match serde_json::to_value(of) {
-        Ok(Value::Object(fields)) => fields,
-        _ => Map::new(),
-    }
+    let value = serde_json::to_value(of).ok();
+    value.and_then(|value| value.as_object().cloned()).unwrap_or_default()
 }
 
 /// A value as it is written in one line.
@@ -181,33 +178,20 @@ fn spaced(value: &Value) -> String {
 
 /// What a setting does, and what it may be.
 fn about(name: &str) -> String {
-    let (_, allowed) = expected(name).unwrap_or_default();
-    let about = match name {
-        "color" => "How many colours",
-        "ground" => {
-            "Whether your terminal is dark or light, for 256 colours; auto: by COLORFGBG, else dark"
-        }
-        "symbols" => "How the mesh and the curves are drawn; auto: by the terminal",
-        "heat" => "Which colours stand for force and pressure, of 256",
-        "fps" => "Most frames a second of a replay",
-        "mouse" => "Whether the mouse is listened to",
-        "idle" => "Whether mesh errors and bands are computed while you do nothing",
-        "start" => {
-            "The screen that is shown first; last: where you left off, with what you worked on"
-        }
-        "colours" => {
-            return format!(
-                "Colours by role: {}. Those of the 16 by name count where a terminal has no more. Behind each \
-                 stands what auto is: of the 256 on a dark and on a light ground, and of the 16",
-                Colour::allowed()
-            );
+    match name {
+        "colours" => format!(
+            "Colours by role: {}. Those of the 16 by name count where a terminal has no more. Behind each \
+             stands what auto is: of the 256 on a dark and on a light ground, and of the 16",
+            Colour::allowed()
+        ),
+        "keys" => {
+            "Keys that count on every screen: one, or a list. Those of single panes stay".into()
         }
         _ => {
-            return "Keys that count on every screen: one, or a list. Those of single panes stay"
-                .to_owned();
+            let (about, _, allowed) = setting(name).unwrap_or_default();
+            format!("{about}: {allowed}")
         }
-    };
-    format!("{about}: {allowed}")
+    }
 }
 
 /// What has a colour and what it is without a wish, or what a key does.
@@ -220,34 +204,59 @@ fn about_entry(list: &str, name: &str) -> String {
     named(name).map_or(String::new(), |key| key.help.to_owned())
 }
 
-/// What is wrong with a value of the wrong kind, and what the setting may be.
-fn expected(path: &str) -> Option<(&'static str, String)> {
+/// What a setting does, what is wrong with a value of the wrong kind, and what it may be.
+fn setting(path: &str) -> Option<(&'static str, &'static str, String)> {
     let known = "is not known here";
     Some(match path {
-        "color" => (known, word::all::<ColorFlag>()),
-        "ground" => (known, word::all::<Ground>()),
-        "symbols" => (known, format!("\"auto\", {}", word::all::<Symbols>())),
-        "heat" => (known, word::all::<HeatMap>()),
-        "fps" => ("is not a whole number in range", "whole numbers 1 to 60".to_owned()),
-        "mouse" | "idle" => ("is neither true nor false", "true or false".to_owned()),
+        "color" => ("How many colours", known, word::all::<ColorFlag>()),
+        "ground" => {
+            let about = "Whether your terminal is dark or light, for 256 colours; auto: by COLORFGBG, \
+                         else dark";
+            (about, known, word::all::<Ground>())
+        }
+        "symbols" => {
+            let about = "How the mesh and the curves are drawn; auto: by the terminal";
+            (about, known, format!("\"auto\", {}", word::all::<Symbols>()))
+        }
+        "heat" => {
+            let about = "Which colours stand for force and pressure, of 256";
+            (about, known, word::all::<HeatMap>())
+        }
+        "fps" => {
+            let wrong = "is not a whole number in range";
+            ("Most frames a second of a replay", wrong, "whole numbers 1 to 60".to_owned())
+        }
+        "mouse" | "idle" => {
+            let about = match path {
+                "mouse" => "Whether the mouse is listened to",
+                _ => "Whether mesh errors and bands are computed while you do nothing",
+            };
+            (about, "is neither true nor false", "true or false".to_owned())
+        }
         "start" => {
+            let about = "The screen that is shown first; last: where you left off, with what you \
+                         worked on";
             let all = std::iter::once(LAST.to_owned()).chain(titles());
             let quoted: Vec<String> = all.map(|title| format!("{title:?}")).collect();
-            (known, quoted.join(", "))
+            (about, known, quoted.join(", "))
         }
-        path if path.starts_with("colours.") => ("is no such colour", Colour::allowed()),
+        path if path.starts_with("colours.") => ("", "is no such colour", Colour::allowed()),
         path if path.starts_with("keys.") => {
-            ("is no key in quotes", "a key or a list of keys, as in \"Ctrl-X\"".to_owned())
+            ("", "is no key in quotes", "a key or a list of keys, as in \"Ctrl-X\"".to_owned())
         }
         _ => return None,
     })
+}
+
+fn expected(path: &str) -> Option<(&'static str, String)> {
+    setting(path).map(|(_, wrong, allowed)| (wrong, allowed))
 }
 
 fn titles() -> impl Iterator<Item = String> {
     SCREENS.iter().map(|screen| screen.title.to_lowercase())
 }
 
-/// A choice by the word that a flag has for it.
+/// A choice by the word that a flag has for it, or none by the word `auto`.
 mod word {
     use clap::ValueEnum;
     use serde::de::{Error, Unexpected};
@@ -277,29 +286,18 @@ mod word {
     pub fn deserialize<'de, T: ValueEnum, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
         read(&String::deserialize(from)?)
     }
-}
-
-/// A choice by the word that a flag has for it, or `None` by the word `auto`.
-mod word_or_auto {
-    use clap::ValueEnum;
-    use serde::{Deserialize, Deserializer, Serializer};
 
     #[expect(clippy::ref_option, reason = "serde calls it so")]
-    pub fn serialize<T: ValueEnum, S: Serializer>(
-        value: &Option<T>,
-        to: S,
-    ) -> Result<S::Ok, S::Error> {
-        let word = value.as_ref().map(super::word::name);
+    pub fn or_auto<T: ValueEnum, S: Serializer>(of: &Option<T>, to: S) -> Result<S::Ok, S::Error> {
+        let word = of.as_ref().map(name);
         to.serialize_str(word.as_deref().unwrap_or("auto"))
     }
 
-    pub fn deserialize<'de, T: ValueEnum, D: Deserializer<'de>>(
+    pub fn read_or_auto<'de, T: ValueEnum, D: Deserializer<'de>>(
         from: D,
     ) -> Result<Option<T>, D::Error> {
-        match String::deserialize(from)?.as_str() {
-            "auto" => Ok(None),
-            word => super::word::read(word).map(Some),
-        }
+        let word = String::deserialize(from)?;
+        if word == "auto" { Ok(None) } else { read(&word).map(Some) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A line of text that is typed into. What stands in it at first is selected: a character takes
 //! its place, any other key begins to change it.
 
-use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{Event, KeyEvent, KeyModifiers};
 use tui_input::backend::crossterm::EventHandler;
 use tui_input::{Input, InputRequest};
 
@@ -35,10 +35,9 @@ impl TextLine {
 
     /// Takes a key in.
     pub fn key(&mut self, event: KeyEvent) {
-        let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
-        match event.code {
-            KeyCode::Char(c) if !event.modifiers.intersects(held) => self.put(c),
-            _ => {
+        match letter(event) {
+            Some(c) => self.put(c),
+            None => {
                 self.selected = false;
                 self.input.handle_event(&Event::Key(event));
             }
@@ -46,9 +45,16 @@ impl TextLine {
     }
 }
 
+/// The character that a key stands for, unless another key is held.
+pub fn letter(event: KeyEvent) -> Option<char> {
+    let held = event.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT);
+    event.code.as_char().filter(|_| !held)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crossterm::event::KeyCode;
 
     fn after(codes: &[KeyCode]) -> String {
         let mut line = TextLine::of("300".to_owned());

@@ -165,21 +165,24 @@ pub fn run(
 
 /// The app, going on where the app was left; the first time it asks what hit the eye.
 fn resume(look: Look) -> Result<App, ScenarioError> {
-    let saved = match saved_session::read() {
+    let (saved, changed) = match saved_session::read() {
         Ok(Some(saved)) => saved,
-        Ok(None) => {
+        nothing => {
             let mut app = prepare(&[], look)?;
-            let mut picker = Picker::at(&app.model.choices, "");
-            picker.first = true;
-            app.model.overlay = Some(Overlay::Picker(picker));
-            return Ok(app);
-        }
-        Err(error) => {
-            let mut app = prepare(&[], look)?;
-            app.model.notice = Some(format!("where you left off cannot be read: {error}"));
+            match nothing {
+                Err(error) => {
+                    let words = format!("where you left off cannot be read: {error}");
+                    app.model.notice = Some(words);
+                }
+                Ok(_) => {
+                    let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
+                    app.model.overlay = Some(Overlay::Picker(picker));
+                }
+            }
             return Ok(app);
         }
     };
+    let saved_screen = saved.screen();
     let opened = prepare(std::slice::from_ref(&saved.source), look);
     let gone = opened.is_err();
     let mut app = opened.or_else(|_| prepare(&[], look))?;
@@ -187,7 +190,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
     if gone {
         app.model.notice = Some(format!("cannot be opened any more: {source}"));
     }
-    if let Some(changed) = saved.changed {
+    if let Some(changed) = changed {
         app.model.work.scenario = changed;
         if gone {
             app.model.notice = Some(format!("what you made of {source} is here: s saves it"));
@@ -195,7 +198,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
             app.model.work.original = None;
         }
     }
-    app.show(saved.screen);
+    app.show(saved_screen);
     Ok(app)
 }
 

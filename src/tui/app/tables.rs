@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::tui::app::{App, actions};
-use crate::tui::changes::{edit, presets, threshold, typing};
+use crate::tui::changes::{edit, presets, threshold::ask_otherwise, typing};
 use crate::tui::keys::chosen::{Clash, Keys};
 #[cfg(unix)]
 use crate::tui::keys::press::SUSPEND;
@@ -14,7 +14,9 @@ use crate::tui::keys::press::{BACK_TAB, DOWN, END, ENTER, ESC, HOME, LEFT, PAGE_
 use crate::tui::keys::press::{Press, RIGHT, TAB, UP, alt, c, ctrl, plain};
 use crate::tui::keys::{self, Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::screens::{SCREENS, screen::About, screen::Screen};
-use crate::tui::{model::AppModel, outbox::Effect, overlay::Overlay, picker::PAGE};
+use crate::tui::{
+    model::AppModel, outbox::Effect, overlay::Overlay, picker::PAGE, threshold::Asking,
+};
 
 /// What a key does to the app.
 pub type AppAct = fn(&mut App);
@@ -142,10 +144,10 @@ static CHANGING: KeyTable<AppAct> = KeyTable::new("Compare: a value", &[
 /// While it is asked at which value a result reaches another one.
 #[rustfmt::skip]
 static THRESHOLD: KeyTable<AppAct> = KeyTable::new("At which value", &[
-    bind(&[UP], |a| threshold::next_result(&mut a.model, false), "result", "the result before"),
-    bind(&[DOWN], |a| threshold::next_result(&mut a.model, true), "&", "the next result"),
+    bind(&[UP], |a| ask_otherwise(&mut a.model, |asking| asking.next_result(false)), "result", "the result before"),
+    bind(&[DOWN], |a| ask_otherwise(&mut a.model, |asking| asking.next_result(true)), "&", "the next result"),
     bind(&[ENTER], actions::accept, "find, take", "look for the value; then take it into the form"),
-    bind(&[TAB], |a| threshold::next_crossing(&mut a.model), "next", "the next value, where there are several"),
+    bind(&[TAB], |a| ask_otherwise(&mut a.model, Asking::next_crossing), "next", "the next value, where there are several"),
     bind(&[ESC], actions::cancel, "stop", "stop looking; then close"),
 ]);
 
