@@ -52,9 +52,6 @@ impl Changing {
     }
 
     /// The scenario with what is typed.
-    ///
-    /// # Errors
-    /// Says why it may not be so.
     pub fn changed(&self) -> Result<Scenario, String> {
         with_text(&self.scenario, self.field(), self.input.value())
     }

@@ -199,11 +199,12 @@ pub fn words(error: &ScenarioError) -> String {
     as_typed(&messages.join("; "))
 }
 
-/// The scenario with `text` in a field, if it may be there.
-///
-/// # Errors
-/// Says why it may not.
-pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scenario, String> {
+/// The scenario with `text` in a field, or why it may not be there.
+pub(crate) fn with_text(
+    scenario: &Scenario,
+    field: &Field,
+    text: &str,
+) -> Result<Scenario, String> {
     let mut changed = scenario.clone();
     let refused = |error| words(&error);
     set(&mut changed, field.path, text).map_err(refused)?;
@@ -228,10 +229,7 @@ pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
 
 /// The scenario with a field one step further. Numbers land on multiples of the step and stop at
 /// their bounds; choices go round. `present` is what an unset number stands at.
-///
-/// # Errors
-/// Says why the step may not be taken.
-pub fn nudged(
+pub(crate) fn nudged(
     scenario: &Scenario,
     field: &Field,
     step: Step,

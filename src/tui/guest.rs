@@ -27,10 +27,7 @@ pub const LONGEST_ANSWER: Duration = Duration::from_secs(30);
 /// The most memory, in bytes.
 pub const MEMORY: u64 = 256 << 20;
 
-/// Whether a guest may have this simulated.
-///
-/// # Errors
-/// Says what is too much.
+/// Whether a guest may have this simulated, or what is too much.
 pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     let (level, window) = (scenario.eye.level, scenario.window_ms.unwrap_or(0.0));
     if level > FINEST_LEVEL {
@@ -46,9 +43,6 @@ pub fn allowed(scenario: &Scenario) -> Result<(), String> {
 
 /// Takes from this process what a guest does not need, for good. Threads that begin later have no
 /// more.
-///
-/// # Errors
-/// Where the system refuses.
 pub(super) fn confine() -> io::Result<()> {
     files::shut();
     by_the_system()

@@ -70,10 +70,7 @@ pub struct AppModel {
 pub const FIRST_ESTIMATE: &str = "first estimate";
 
 impl AppModel {
-    /// Whether this scenario may be simulated here.
-    ///
-    /// # Errors
-    /// Says what is too much for a guest.
+    /// Whether this scenario may be simulated here, or why not.
     pub fn allows(&self, scenario: &Scenario) -> Result<(), String> {
         if self.guest { guest::allowed(scenario) } else { Ok(()) }
     }

@@ -35,11 +35,8 @@ pub enum SaveError {
     Kept(String),
 }
 
-/// Whether a preset may be called this.
-///
-/// # Errors
-/// Where it may not.
-pub fn check_name(name: &str) -> Result<(), SaveError> {
+/// Whether a preset may be called this, or why not.
+pub(crate) fn check_name(name: &str) -> Result<(), SaveError> {
     if let Some(c) = name.chars().find(|c| !is_allowed(*c)) {
         return Err(match c {
             c if is_unprintable(c) => SaveError::Name,
@@ -65,7 +62,7 @@ fn is_allowed(c: char) -> bool {
 }
 
 /// `stem`, or a name like it, that none of the others has: with a number behind it, from 2 on.
-pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
+pub(crate) fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     // Room for a dash and three digits.
     let letters = stem.chars().take(LONGEST - 4);
     let like: String = letters.map(|c| if is_allowed(c) { c } else { '-' }).collect();
@@ -79,12 +76,9 @@ pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     names.find(free).unwrap_or_default()
 }
 
-/// Writes `text` as the preset `name` into `folder`, which is made if need be.
-///
-/// # Errors
-/// [`SaveError::Exists`] if it is there already and may not be replaced; otherwise says what went
-/// wrong. Whatever was there before is then still there.
-pub fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), SaveError> {
+/// Writes `text` as the preset `name` into `folder`, which is made if need be. Where that fails,
+/// whatever was there before is still there.
+pub(crate) fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), SaveError> {
     save_by(folder, name, replace, |file| {
         file.write_all(text.as_bytes())?;
         file.sync_all()
@@ -93,10 +87,7 @@ pub fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), 
 
 /// Gives the preset `from` of `folder` the name `to`, its title too where that was its name.
 /// Between the two steps it is there under both names, never under none.
-///
-/// # Errors
-/// [`SaveError::Exists`] if there is one of that name; otherwise says what went wrong.
-pub fn rename(folder: &Path, from: &str, to: &str) -> Result<(), SaveError> {
+pub(crate) fn rename(folder: &Path, from: &str, to: &str) -> Result<(), SaveError> {
     check_name(from)?;
     let text = fs::read_to_string(folder.join(format!("{from}.ron")))
         .map_err(|error| SaveError::Kept(error.to_string()))?;
@@ -117,10 +108,7 @@ fn retitled(text: String, (from, to): (&str, &str), folder: &Path) -> String {
 }
 
 /// Removes the preset `name` of `folder`; gives its text, from which it can be saved again.
-///
-/// # Errors
-/// Says what went wrong; then it is still there.
-pub fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
+pub(crate) fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
     check_name(name)?;
     let path = folder.join(format!("{name}.ron"));
     let removed = fs::read_to_string(&path).and_then(|text| fs::remove_file(&path).map(|()| text));
@@ -129,10 +117,7 @@ pub fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
 
 /// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives
 /// the path.
-///
-/// # Errors
-/// Says what went wrong; then there is no such file.
-pub fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
+pub(crate) fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
     let failed = |error: io::Error| SaveError::Failed(error.to_string());
     let file = |name: &str| folder.join(format!("{name}.html"));
     loop {

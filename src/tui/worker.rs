@@ -28,9 +28,6 @@ pub struct Worker {
 impl Worker {
     /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is
     /// stopped. One that `is_idle` gives way to all other work of the machine.
-    ///
-    /// # Errors
-    /// Where no thread can start.
     pub fn start(
         limit: Option<Duration>,
         is_idle: bool,

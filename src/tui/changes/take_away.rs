@@ -35,9 +35,6 @@ fn repeating(model: &AppModel, answers: &[Named]) -> Option<Vec<String>> {
 }
 
 /// The question for a page of what is on show, into the folder that the app was opened in.
-///
-/// # Errors
-/// Says why there is none.
 pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'static str> {
     if model.guest {
         return Err("a guest writes no files");
@@ -74,9 +71,6 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
 }
 
 /// A summary of what is on show, and the command that repeats it.
-///
-/// # Errors
-/// Says why there is none.
 pub(crate) fn summary(model: &AppModel, answers: &[Named]) -> Result<String, &'static str> {
     check(model, answers)?;
     let one = |answer: &Named| {

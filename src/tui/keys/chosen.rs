@@ -80,11 +80,9 @@ impl Keys {
 }
 
 impl Press {
-    /// The key that is written like this: `Ctrl-Z`, `Alt-x`, `Shift-Up`, `F5`, `Space`, `U`.
-    ///
-    /// # Errors
-    /// Says why no terminal sends it.
-    pub fn read(written: &str) -> Result<Self, &'static str> {
+    /// The key that is written like this: `Ctrl-Z`, `Alt-x`, `Shift-Up`, `F5`, `Space`, `U`; or why no
+    /// terminal sends it.
+    pub(crate) fn read(written: &str) -> Result<Self, &'static str> {
         let mut modifiers = KeyModifiers::NONE;
         let mut rest = written.trim();
         while let Some((prefix, modifier)) = HELD.iter().find(|(prefix, _)| {
