@@ -52,7 +52,7 @@ fn a_key_that_is_taken_is_refused_by_the_name_of_what_has_it() {
 fn a_chosen_key_does_it_and_is_shown_and_the_usual_one_no_longer() {
     let mut app = opened();
     app.model.keys.choose(binding("help"), vec![Press::read("Ctrl-X").unwrap()]);
-    letter(&mut app, '?');
+    press(&mut app, "?");
     assert!(app.model.overlay.is_none());
     assert!(footer_keys(&app).contains(&("Ctrl-X".to_owned(), "keys")));
     let press = KeyEvent::new(KeyCode::Char('x'), KeyModifiers::CONTROL);

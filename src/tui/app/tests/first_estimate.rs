@@ -19,7 +19,7 @@ fn a_blow_from_the_side_shows_a_first_estimate_that_is_named_until_the_answer_co
     let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part));
     let first = parts.pop().unwrap();
     assert!(parts.is_empty());
-    so_far::<Simulate>(&mut app, ticket, first);
+    tell::<Simulate>(&mut app, ticket, first, false);
     let geometry = |app: &App| {
         let shown = app.model.shown.as_ref().unwrap();
         shown.scenario.geometry().unwrap()
