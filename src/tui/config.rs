@@ -118,9 +118,8 @@ impl Config {
         let is_known = self.start == LAST || self.first_screen().is_some();
         let start = (!is_known)
             .then(|| refused("start", &format!("{:?}", self.start), "is not known here"));
-        let clash = clash(&self.keys).map(|clash| {
-            let (key, other) = (clash.press.name(), clash.other);
-            let field = format!("keys.{}", clash.name.to_lowercase());
+        let clash = clash(&self.keys).map(|(name, key, other)| {
+            let (key, field) = (key.name(), format!("keys.{}", name.to_lowercase()));
             let choose = "choose another key, or another one for that";
             Problem::new(field, format!("{key:?} is taken by {other}: {choose}"))
         });

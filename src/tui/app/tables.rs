@@ -7,12 +7,11 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::tui::app::{App, actions};
 use crate::tui::changes::{edit, presets, threshold::ask_otherwise, typing};
-use crate::tui::keys::chosen::{Clash, Keys};
 #[cfg(unix)]
 use crate::tui::keys::press::SUSPEND;
 use crate::tui::keys::press::{BACK_TAB, DOWN, END, ENTER, ESC, HOME, LEFT, PAGE_DOWN, PAGE_UP};
 use crate::tui::keys::press::{Press, RIGHT, TAB, UP, alt, c, ctrl, plain};
-use crate::tui::keys::{self, Binding, Key, KeyList, KeyTable, TimeKeys};
+use crate::tui::keys::{self, Binding, Key, KeyList, KeyTable, TimeKeys, chosen::Keys};
 use crate::tui::screens::{SCREENS, screen::About, screen::Screen};
 use crate::tui::{
     model::AppModel, outbox::Effect, overlay::Overlay, picker::PAGE, threshold::Asking,
@@ -270,7 +269,7 @@ pub fn open_to_choice() -> impl Iterator<Item = &'static Key> {
     keys.filter(|key| !key.name.is_empty())
 }
 
-/// The first of the chosen keys that two things would share.
-pub fn clash(keys: &Keys) -> Option<Clash> {
+/// The first of the chosen keys that two things would share, as [`Keys::clash`] gives it.
+pub fn clash(keys: &Keys) -> Option<(&'static str, Press, String)> {
     keys.clash(&everywhere(), &of_screens())
 }

@@ -63,7 +63,6 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
         Some(Overlay::Name(_, input, error)) => {
             change(input);
             *error = check_name(input.value()).err().map(|e| e.to_string());
-            return;
         }
         Some(Overlay::Picker(picker)) => {
             let before = picker.input.value().to_owned();
@@ -71,29 +70,27 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
             if picker.input.value() != before {
                 picker.search(&model.choices);
             }
-            return;
         }
         Some(Overlay::Change(what)) => {
             change(&mut what.input);
             what.error = None;
-            return;
         }
         Some(Overlay::Threshold(_)) => {
             threshold::ask_otherwise(model, |asking| asking.retype(change));
-            return;
         }
-        _ => {}
+        _ => {
+            let Some(mut typing) = model.form.typing.take() else {
+                return;
+            };
+            change(&mut typing.input);
+            let mut known = typing.input.value();
+            if matches!(typing.field.kind, Kind::Number(..)) {
+                known = begun(known).unwrap_or(known);
+            }
+            typing.error = meant(model, typing.field, known).err();
+            model.form.typing = Some(typing);
+        }
     }
-    let Some(mut typing) = model.form.typing.take() else {
-        return;
-    };
-    change(&mut typing.input);
-    let mut known = typing.input.value();
-    if matches!(typing.field.kind, Kind::Number(..)) {
-        known = begun(known).unwrap_or(known);
-    }
-    typing.error = meant(model, typing.field, known).err();
-    model.form.typing = Some(typing);
 }
 
 /// The scenario with this text in a field, if it may be worked on.

@@ -15,17 +15,6 @@ use crate::tui::keys::{Key, KeyList};
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Keys(Vec<(&'static str, Vec<Press>)>);
 
-/// A key that two things would share.
-#[derive(Debug, PartialEq, Eq)]
-pub struct Clash {
-    /// What it was chosen for.
-    pub name: &'static str,
-    /// The key.
-    pub press: Press,
-    /// What has it already.
-    pub other: String,
-}
-
 impl Keys {
     /// The presses of a key.
     pub fn of<'a>(&'a self, key: &'a Key) -> &'a [Press] {
@@ -46,9 +35,13 @@ impl Keys {
         }
     }
 
-    /// The first press that two things would share, of the keys that count on every screen and of
-    /// those of single panes. A usual one may: the nearer thing has it.
-    pub fn clash(&self, everywhere: &[KeyList], panes: &[KeyList]) -> Option<Clash> {
+    /// The first key that was chosen though something else has it, on every screen or in a pane:
+    /// what for, the key and what has it. A usual one may be shared: the nearer thing has it.
+    pub fn clash(
+        &self,
+        everywhere: &[KeyList],
+        panes: &[KeyList],
+    ) -> Option<(&'static str, Press, String)> {
         self.0.iter().find_map(|(name, presses)| {
             let mut keys = everywhere.iter().flat_map(|list| &list.keys);
             let usual = keys.find(|key| key.name == *name)?;
@@ -58,7 +51,7 @@ impl Keys {
                 let typed = |list: &&KeyList| list.keys.iter().any(|key| key.begins_value);
                 let own = panes.iter().filter(|list| !typed(list));
                 let other = self.holder(name, *press, everywhere.iter().chain(own))?;
-                Some(Clash { name, press: *press, other })
+                Some((*name, *press, other))
             })
         })
     }

@@ -11,7 +11,7 @@ fn binding(name: &str) -> &'static Key {
 fn chosen(name: &str, key: &str) -> Option<String> {
     let mut keys = Keys::default();
     keys.choose(binding(name), vec![Press::read(key).unwrap()]);
-    clash(&keys).map(|clash| clash.other)
+    clash(&keys).map(|(_, _, other)| other)
 }
 
 #[test]
