@@ -57,8 +57,7 @@ impl Changing {
     }
 }
 
-/// Whether what is compared under a name began as that preset: `bb-62@60` is the BB at another
-/// speed.
+/// Whether what is compared under a name, such as `bb-62@60`, began as that preset.
 pub fn began_as(name: &str, preset: &str) -> bool {
     let rest = name.strip_prefix(preset);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['@', ',']))

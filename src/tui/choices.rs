@@ -14,8 +14,7 @@ pub struct Choice {
     pub origin: &'static str,
 }
 
-/// Presets of a person's own that the app holds, each with all that it says, and that may be
-/// saved.
+/// The most presets of a person's own that the app holds and saves.
 pub const MAX_OWN: usize = 1000;
 
 /// Every preset that can be opened; a broken one says why it cannot.

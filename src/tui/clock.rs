@@ -90,8 +90,7 @@ impl Clock {
         }
     }
 
-    /// Moves by one frame, or by ten. Behind the last, its interval goes on to the end of the
-    /// window.
+    /// Moves by one frame, or by ten. The last interval goes on to the end of the window.
     pub fn step(&mut self, step: Step, from: f64, frames: &[Frame], window: f64) {
         let [.., before, last] = frames else {
             return;
@@ -149,8 +148,7 @@ impl Clock {
         }
     }
 
-    /// Jumps to the next peak after the time shown, or to the one before, of the results that are
-    /// on show; goes round.
+    /// Jumps to the next peak of what is on show, or to the one before; goes round.
     pub fn jump(&mut self, answer: &Answer, forward: bool, on_show: impl Fn(Quantity) -> bool) {
         let now = self.time_in(Some((answer, answer.window())));
         let mut peaks = peaks(answer);

@@ -1,8 +1,7 @@
 //! What a person wants of the app at every start: `contrecoup/config.ron` under `$XDG_CONFIG_HOME`
 //! (or `~/.config`). A flag counts for more than the file.
 //!
-//! An empty file sets nothing, so that `contrecoup config` may be sent into the file that it
-//! reads.
+//! An empty file sets nothing, so that `contrecoup config` may be sent into the file it reads.
 
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -1,6 +1,5 @@
 //! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted,
-//! many where they are asked for. What is there so far is shown, and what was stopped goes on from
-//! there.
+//! many where they are asked for. What was stopped goes on from there.
 
 use std::sync::Arc;
 
@@ -107,8 +106,7 @@ fn own(answer: &Answer, of: Quantity) -> Option<Band> {
     Some(Band { low: 100.0 * risk.range.0, median: 100.0 * risk.risk, high: 100.0 * risk.range.1 })
 }
 
-/// The band of a result that is shown: of a risk the wider of the samples' and the answer's own.
-/// Whether the samples' is wider than that.
+/// The band that is shown: of a risk the wider of the samples' and its own; whether the samples'.
 pub fn shown_band(
     ensemble: &Ensemble,
     answer: Option<&Answer>,

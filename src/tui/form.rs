@@ -178,8 +178,7 @@ pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
     })
 }
 
-/// The character that a key press puts into a field: a point for a decimal comma, and none where
-/// it can be no part of the value.
+/// What a key puts into a field: a point for a decimal comma; none where it can be no part of it.
 pub fn admitted(field: &Field, c: char) -> Option<char> {
     let numeral = c.is_ascii_digit()
         || matches!(c, '.' | '-' | '+' | '/' | ':' | '_' | 'e' | 'E' | '±' | ' ');
@@ -217,8 +216,7 @@ pub(crate) fn with_text(
     Ok(changed)
 }
 
-/// The place of what is chosen in a field of choices. None of a recorded curve, which is not
-/// thrown away by a key.
+/// The place of what is chosen. None of a recorded curve, which no key throws away.
 pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
     let Kind::Choice(choices) = &field.kind else {
         return None;

@@ -6,8 +6,7 @@
 //! memory; it computes nothing that nobody asked for. Levels, windows, samples and the time of one
 //! answer are bounded, and a session without keys ends.
 //!
-//! Left out: a sandbox of system calls. The program runs no other one, and the account's forced
-//! command lets nobody ask for another.
+//! Left out: a sandbox of system calls. The program runs no other one, nor does the account.
 
 use std::io;
 use std::time::Duration;
@@ -41,8 +40,7 @@ pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
-/// Takes from this process what a guest does not need, for good. Threads that begin later have no
-/// more.
+/// Takes from this process and all its later threads what a guest does not need, for good.
 pub(super) fn confine() -> io::Result<()> {
     files::shut();
     by_the_system()
@@ -61,8 +59,7 @@ fn by_the_system() -> io::Result<()> {
     Ok(())
 }
 
-/// Guests spread over the cores by their numbers. Where the system refuses, the priority has to
-/// do.
+/// Guests spread over the cores by their numbers; else the priority has to do.
 #[cfg(target_os = "linux")]
 fn one_core() {
     use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};

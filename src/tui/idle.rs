@@ -4,8 +4,7 @@ use std::sync::LazyLock;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// How much nicer than others such a thread is: it gets a tenth of a core that somebody else
-/// wants.
+/// How much nicer such a thread is: it gets a tenth of a core that somebody else wants.
 #[cfg(target_os = "linux")]
 const NICE: i32 = 10;
 

@@ -1,8 +1,7 @@
 //! What a key is, what is said of it, and what it does.
 //!
-//! Whatever has keys lists them in [`KeyTable`]s, each key with what it does there. Dispatch,
-//! footer, help, the guide's table and the test of uniqueness all read these tables, which are
-//! handed in. Letters that are typed into a field are not in them.
+//! Whatever has keys lists them in [`KeyTable`]s, which dispatch, footer, help, guide and tests
+//! read. Letters that are typed into a field are not in them.
 
 pub mod chosen;
 pub mod press;
@@ -17,8 +16,7 @@ use press::Press;
 pub struct Key {
     /// The keys; the first that nothing nearer has for itself is shown in the footer.
     pub presses: &'static [Press],
-    /// A word for the footer; empty where it has no place there, `&` where the word before goes
-    /// for this key too.
+    /// A word for the footer; empty for none, `&` where the word before goes for this key too.
     pub short: &'static str,
     /// A few words for the help.
     pub help: &'static str,

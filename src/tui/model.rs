@@ -39,8 +39,7 @@ pub struct AppModel {
     pub clock: Clock,
     /// Samples over what is not known of the inputs.
     pub ensemble: Samples,
-    /// Removed presets, the last of them last: how many changes could be undone then, the name,
-    /// and the file's text.
+    /// Removed presets: how many changes could be undone then, the name, and the file's text.
     pub removed: Vec<(usize, String, String)>,
     /// What can be opened.
     pub choices: Vec<Choice>,
@@ -109,8 +108,7 @@ impl AppModel {
         }
     }
 
-    /// Whether something is computed that somebody asked for, whatever the screens ask for
-    /// themselves.
+    /// Whether something is computed that somebody asked for, the screens left aside.
     pub fn is_busy(&self) -> bool {
         let samples = self.ensemble.task.job.as_ref();
         let looks =
@@ -147,8 +145,7 @@ impl AppModel {
         Some((answer, answer.window()))
     }
 
-    /// The answer to the form with the name of its source, for pages and summaries; empty without
-    /// one.
+    /// The answer to the form, if there is one, with the name of its source.
     pub fn answer(&self) -> Vec<(String, &ShownAnswer)> {
         let named = |shown| (self.work.name().to_owned(), shown);
         self.shown.iter().map(named).collect()

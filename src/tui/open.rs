@@ -94,8 +94,7 @@ impl OpenError {
     }
 }
 
-/// Opens the app and stays until the person leaves, or until a guest has touched no key for so
-/// long.
+/// Opens the app and stays until the person leaves, or a guest has touched no key for so long.
 ///
 /// # Errors
 /// Where there is no terminal, a scenario makes no sense, or the terminal fails.

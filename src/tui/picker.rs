@@ -1,6 +1,4 @@
-//! The list of everything that can be opened: which of it is shown for what is typed, and in which
-//! order.
-//!
+//! The list of everything that can be opened: what is shown for what is typed, in which order.
 
 use crate::scenario::problem::{ALIKE, likeness, plain};
 use crate::scenario::{Impact, Scenario};

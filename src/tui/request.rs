@@ -1,5 +1,4 @@
-//! A question for another thread, the request that carries it there, and the report that comes
-//! back.
+//! A question for another thread, the request that carries it, and the report that comes back.
 
 use std::any::{Any, TypeId};
 use std::fmt;
@@ -92,8 +91,7 @@ impl Request {
         (self.question.as_ref() as &dyn Any).downcast_ref()
     }
 
-    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one.
-    /// Whether nobody asked for it is the second part.
+    /// Which worker it is for, and whether nobody asked for it.
     pub fn kind(&self) -> (TypeId, bool) {
         ((*self.question).type_id(), self.question.is_idle())
     }

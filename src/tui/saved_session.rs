@@ -1,9 +1,8 @@
 //! Where the app was left: `contrecoup/last.ron` beside the config file, written when it closes
-//! and read when it opens with nothing asked for.
+//! and read when it opens with nothing asked for. A guest leaves none.
 //!
-//! It holds the screen, the preset or file, and the scenario where it was changed since. It is
-//! written whole or not at all; where it cannot be, changes are not promised to be kept. One that
-//! cannot be read is told and otherwise as good as none. A guest leaves none.
+//! It is written whole or not at all; where it cannot be, changes are not promised to be kept. One
+//! that cannot be read is told and otherwise as good as none.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};

@@ -1,7 +1,6 @@
 //! A question put to a number of the form: at which value of it a result reaches what is asked.
 //!
-//! It stands in front of the screen while it is answered in the background, and its answer can be
-//! taken into the form. Left out: a range of one's own, which `contrecoup threshold` takes.
+//! Left out: a range of one's own, which `contrecoup threshold` takes.
 
 use std::sync::Arc;
 

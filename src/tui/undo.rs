@@ -1,7 +1,6 @@
 //! What was there before, and what was there before it was taken back.
 //!
-//! Steps on one field in quick succession count as one change, so that holding an arrow key down
-//! is undone by one press.
+//! Quick steps on one field count as one change, so that one press undoes a held arrow key.
 
 use std::time::Duration;
 
@@ -19,8 +18,7 @@ pub struct History<T> {
 }
 
 impl<T> History<T> {
-    /// `before` is about to be changed; `what` names the thing that changes, empty if this change
-    /// stands for itself.
+    /// `before` is about to change in `what`, empty if this change stands for itself.
     pub fn record(&mut self, before: T, what: &'static str, now: Duration) {
         self.future.clear();
         let same = self.last.is_some_and(|(last, at)| {
@@ -35,8 +33,7 @@ impl<T> History<T> {
         }
     }
 
-    /// Takes the last change back, or makes the last undone one again: gives what was there, if
-    /// there is such a change.
+    /// Takes the last change back, or makes it again: gives what was there, if there is one.
     pub fn travel(&mut self, back: bool, present: T) -> Option<T> {
         let (from, to) = match back {
             true => (&mut self.past, &mut self.future),

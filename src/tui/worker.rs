@@ -1,5 +1,4 @@
-//! A thread that works while the app stays awake: on one request, which a newer one stops. Of
-//! those that wait then, only the newest is worked on.
+//! A thread that works while the app stays awake: on the newest request, which stops older ones.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -55,8 +54,7 @@ impl Worker {
         let _ = self.requests.send(request);
     }
 
-    /// Stops the request of this ticket, if it is the last that was handed in; earlier ones have
-    /// stopped already.
+    /// Stops the request of this ticket, if it is the last: earlier ones have stopped already.
     pub fn cancel(&self, ticket: Ticket) {
         let relaxed = Ordering::Relaxed;
         let _ = self.wanted.compare_exchange(ticket, ticket + 1, relaxed, relaxed);
@@ -113,9 +111,8 @@ impl<T> SharedProgress<T> {
     }
 }
 
-/// Does work that may be told to stop and says how far it is, on another thread, under the eyes of
-/// a watch that must stay on this one and shows what there is so far. What is stopped gives what
-/// it has.
+/// Does work on another thread that may be told to stop, while the watch, which must stay on this
+/// one, is told how far it is and shown what there is. What is stopped gives what it has.
 pub fn run_watched<T: Send, S: Send>(
     watch: Watch,
     show: &mut dyn FnMut(S),

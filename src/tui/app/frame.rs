@@ -1,6 +1,5 @@
 //! Drawing: a pure function of the app. The title above, the screen on show, the keys below, and
-//! what stands in front; where the terminal has only ASCII, all of it is rewritten once, at the
-//! end.
+//! what stands in front; for a terminal with only ASCII it is rewritten once, at the end.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -10,8 +10,7 @@ use crate::tui::{keys::KeyList, view::sheet::Sheet, view::text::wrapped};
 const HELP: u16 = 76;
 const KEYS: u16 = 18;
 
-/// The help as lines: a heading, or keys and what they do. First what counts on the screen on
-/// show, then the rest, then every word explained.
+/// The help as lines, a heading or keys and what they do: first those of the screen on show.
 fn lines(app: &App, room: usize) -> Vec<(String, String)> {
     let screen = app.about();
     let heading = |text: String| (text, String::new());

@@ -89,8 +89,7 @@ impl App {
         self.model.clock.time_in(self.timed())
     }
 
-    /// Has everybody ask for what is wanted now and stop what no longer is. What nobody asked for
-    /// comes after what somebody did.
+    /// Has everybody ask for what is wanted now and stop what no longer is.
     pub fn refresh_requests(&mut self) {
         let model = &mut self.model;
         for (place, screen) in self.screens.iter_mut().enumerate() {

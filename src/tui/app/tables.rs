@@ -1,5 +1,4 @@
-//! The keys that belong to no pane: those of every screen, those of time, and those of what stands
-//! in front of a screen; and all tables together.
+//! The keys of every screen, of time, and of what stands in front; and all tables together.
 
 use std::sync::LazyLock;
 
@@ -203,16 +202,14 @@ fn list_in_front(own: &KeyTable<AppAct>) -> KeyList {
     list
 }
 
-/// The place of the screen that a key shows while a value or a search is typed, which no letter
-/// does.
+/// The place of the screen that a key, but no letter, shows while a value or a search is typed.
 pub(crate) fn shown_while_typing(model: &AppModel, event: KeyEvent) -> Option<usize> {
     let letter = event.code.as_char().is_some() && !event.modifiers.contains(KeyModifiers::ALT);
     let behind = letter || !matches!(model.overlay, None | Some(Overlay::Picker(_)));
     Some(SHOW.find(&model.keys, event).filter(|_| !behind)?.act)
 }
 
-/// The tables of every screen that count behind the pane with the focus: those of time, if it has
-/// them, and those that count everywhere.
+/// The tables that count behind the pane with the focus: of time, if it has it, and of all.
 pub(crate) fn shared(app: &App) -> Vec<&'static KeyTable<AppAct>> {
     let time = (app.focus().time != TimeKeys::Absent).then_some(&TIME);
     time.into_iter().chain([&EVERYWHERE]).collect()

@@ -1,7 +1,5 @@
-//! What every message does to the app, and what it asks of the world outside.
-//!
-//! It reads no clock and touches no file: time comes with messages, and what must be done goes out
-//! as an [`Effect`].
+//! What every message does to the app. It reads no clock and touches no file: time comes with
+//! messages, and what must be done goes out as an [`Effect`].
 
 use std::time::Duration;
 
@@ -92,8 +90,7 @@ fn tick(app: &mut App, now: Duration) {
     }
 }
 
-/// Looks a key up: in what stands in front, or in the screen, in time and everywhere. What nobody
-/// has is typed where something is typed, else it is said.
+/// Looks a key up in what stands in front, else in the screen. What nobody has may be typed.
 fn key(app: &mut App, event: KeyEvent) {
     app.model.notice = None;
     if let Some(tables) = tables::in_front(&app.model) {

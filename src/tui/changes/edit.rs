@@ -4,8 +4,7 @@ use crate::scenario::Scenario;
 use crate::tui::{changes::simulation, form::words, model::AppModel, outbox::Effect};
 use crate::tui::{simulation::is_alike, work::Work};
 
-/// Takes another scenario and simulates it at once. `what` names the field that changes, empty if
-/// the change stands for itself.
+/// Takes another scenario and simulates it. `what` changes, empty if it stands for itself.
 pub(crate) fn change(model: &mut AppModel, work: Work, what: &'static str) {
     if work == model.work {
         return;

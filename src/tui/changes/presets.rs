@@ -10,8 +10,8 @@ use crate::tui::{picker::Picker, work::Work};
 pub(crate) fn next_preset(model: &mut AppModel, forward: bool) {
     let count = model.choices.len();
     let here = model.choices.iter().position(|choice| choice.name == model.work.source);
-    let by = if forward { 1 } else { count - 1 };
-    open(model, here.map_or(0, |here| (here + by) % count));
+    let next = |here: usize| (here + if forward { 1 } else { count - 1 }) % count;
+    open(model, here.map_or(0, next));
 }
 
 pub(crate) fn open(model: &mut AppModel, index: usize) {

@@ -1,5 +1,4 @@
-//! The answer to the form, and what completes it: what is asked for, and what is done with what
-//! comes.
+//! The answer to the form and what completes it: what is asked, and what is done with what comes.
 
 use std::sync::Arc;
 
@@ -21,8 +20,7 @@ pub(crate) fn follow(model: &mut AppModel) {
     }
 }
 
-/// Gives up what the form asks for: the form goes back to what the answer on show is of. Without
-/// one the worker says that it was cancelled.
+/// Takes the form back to what the answer on show is of; without one only ends the run.
 pub(crate) fn cancel(model: &mut AppModel) {
     let Some(answered) = model.answered.clone() else {
         model.run.end(&mut model.out);
@@ -75,8 +73,7 @@ pub(crate) fn incomplete(model: &AppModel) -> Option<&ShownAnswer> {
     (shown.answer.inputs.is_none() && !refused(shown)).then_some(shown)
 }
 
-/// Completes the answer on show while nothing is computed that somebody asked for; stops where it
-/// is of another answer or not wanted any more.
+/// Completes the answer on show, and no other, while nothing is computed that somebody asked for.
 pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
     let free = model.idle && !model.is_busy() && !screens_busy;
     let wanted = incomplete(model).filter(|_| free);

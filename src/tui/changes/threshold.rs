@@ -1,5 +1,4 @@
-//! Asking at which value of a number a result reaches what is typed, and taking the answer into
-//! the form.
+//! Asking at which value a result reaches what is typed, and taking the answer into the form.
 
 use crate::many::threshold::ThresholdSearch;
 use crate::scenario::doubt::number;

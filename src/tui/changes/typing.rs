@@ -24,8 +24,8 @@ pub(crate) fn begin(model: &mut AppModel, empty: bool) {
     });
 }
 
-/// A key that is no binding. A letter that can be no part of a number is refused, as whoever
-/// presses it takes it for a key.
+/// A key that is no binding. A letter that can be no part of a number is refused: it was meant as
+/// a key.
 pub(crate) fn key(model: &mut AppModel, event: KeyEvent) {
     let (mut event, mut doubt) = (event, false);
     let typing = model.form.typing.as_ref().filter(|_| model.overlay.is_none());
@@ -56,8 +56,7 @@ pub(crate) fn paste(model: &mut AppModel, text: &str, begins_value: bool) {
     });
 }
 
-/// Changes the text that is being typed. It says what is wrong with it and changes no value: the
-/// first digits of one are another one.
+/// Changes the text that is being typed and says what is wrong with it, but changes no value.
 pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {

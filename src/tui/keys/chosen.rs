@@ -1,10 +1,7 @@
 //! Keys of a person's own choice, for what counts on every screen.
 //!
-//! A chosen key takes the place of the usual ones. One that means something else already, on every
-//! screen or in one pane, is refused with the name of what has it, so that no key ever means two
-//! things.
-//!
-//! Left out: the keys of single panes, of popups and of typing, which stay as they are.
+//! A chosen key takes the place of the usual ones. One that means something else already is
+//! refused with the name of what has it. Those of panes, popups and typing stay as they are.
 
 use crossterm::event::{KeyCode, KeyModifiers};
 
@@ -73,8 +70,7 @@ impl Keys {
 }
 
 impl Press {
-    /// The key that is written like this: `Ctrl-Z`, `Alt-x`, `Shift-Up`, `F5`, `Space`, `U`; or why no
-    /// terminal sends it.
+    /// The key that is written like `Ctrl-Z`, `Shift-Up`, `F5` or `U`, or why no terminal sends it.
     pub(crate) fn read(written: &str) -> Result<Self, &'static str> {
         let mut modifiers = KeyModifiers::NONE;
         let mut rest = written.trim();
