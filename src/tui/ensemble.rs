@@ -9,7 +9,7 @@ use crate::many::bands::Band;
 use crate::many::ensemble::{Ensemble, run};
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
-use crate::tui::{idle, request::TaskQuestion, task::Task, worker::run_watched};
+use crate::tui::{request::TaskQuestion, task::Task, worker::idle_pool, worker::run_watched};
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
 pub const FEW: u32 = 256;
@@ -51,7 +51,7 @@ impl TaskQuestion for RunSamples {
                     progress.report(share, || so_far.clone())
                 })
             };
-            if self.is_idle() { idle::pool().install(run) } else { run() }
+            if self.is_idle() { idle_pool().install(run) } else { run() }
         })
     }
 

@@ -12,13 +12,11 @@
 pub mod app;
 mod changes;
 mod changing;
-mod choices;
 pub mod clock;
 pub mod config;
 pub mod ensemble;
 pub mod form;
 mod guest;
-mod idle;
 pub mod keys;
 mod line;
 pub mod look;

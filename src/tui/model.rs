@@ -5,7 +5,7 @@ use crate::answer::solve::Answer;
 use crate::scenario::Scenario;
 use crate::tui::request::TaskQuestion as _;
 use crate::tui::simulation::{Complete, Simulate, first_estimate};
-use crate::tui::{choices::Choice, clock::Clock, ensemble::Samples, form::ScenarioForm, guest};
+use crate::tui::{clock::Clock, ensemble::Samples, form::ScenarioForm, guest, picker::Choice};
 use crate::tui::{keys::chosen::Keys, look::Look, outbox::Outbox, overlay::Overlay};
 use crate::tui::{page::WritePage, shown::ShownAnswer, task::Task, undo::History, work::Work};
 use std::time::Duration;
@@ -85,17 +85,13 @@ impl AppModel {
         format!("{}{edited}", self.work.name())
     }
 
-    /// The mechanical model of the scenario in words.
-    pub fn material(&self) -> &'static str {
-        self.work.scenario.model.title()
-    }
-
     /// Why the result on show is not that of the form, if it is not.
     pub fn stale(&self) -> Option<&'static str> {
         let other = |shown: &ShownAnswer| shown.scenario != self.work.scenario;
-        if self.shown.as_ref().is_some_and(|shown| {
+        let is_first = |shown: &ShownAnswer| {
             other(shown) && first_estimate(&self.work.scenario).as_ref() == Some(&shown.scenario)
-        }) {
+        };
+        if self.shown.as_ref().is_some_and(is_first) {
             return Some(FIRST_ESTIMATE);
         }
         if self.run.complaint.is_some() {
@@ -132,11 +128,6 @@ impl AppModel {
             job.question.is_idle().then_some(words)
         };
         rest().or_else(samples)
-    }
-
-    /// Whether pictures should take few bytes: while they move over a slow link.
-    pub fn is_lean(&self) -> bool {
-        self.slow_link && self.clock.playing
     }
 
     /// The answer to the form, and the end of its time in s.

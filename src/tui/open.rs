@@ -9,12 +9,12 @@ use clap::Args;
 use crate::plain_text::quoted;
 use crate::scenario::library::resolve;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::tui::choices::{Choice, choices};
 use crate::tui::form::{ScenarioForm, strength};
+use crate::tui::picker::{Choice, Picker, choices};
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::{app::App, config::Config, look::Look, model::AppModel, overlay::Overlay};
 use crate::tui::{guest, saved_session, terminal};
-use crate::tui::{picker::Picker, saved_session::SavedSession, view::palette::Palette, work::Work};
+use crate::tui::{saved_session::SavedSession, view::palette::Palette, work::Work};
 
 /// What is opened if nothing is asked for.
 pub(super) const FIRST: &str = "paper-300n";

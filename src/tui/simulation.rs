@@ -7,7 +7,7 @@ use crate::answer::{input_doubt::InputQuery, results::InputDoubt};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::{Geometry, Impact, Scenario};
-use crate::tui::{idle, request::TaskQuestion, worker::run_watched};
+use crate::tui::{request::TaskQuestion, worker::idle_pool, worker::run_watched};
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -115,7 +115,7 @@ impl TaskQuestion for Complete {
                 // `stop` tells it to end.
                 let _ = progress.report(share, || ());
             };
-            idle::pool().install(|| self.inputs.estimate(scenario, stop, told))
+            idle_pool().install(|| self.inputs.estimate(scenario, stop, told))
         });
         parts.inputs = Some(inputs?);
         Ok(parts)

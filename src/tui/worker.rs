@@ -3,12 +3,13 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{io, thread};
 
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
 use crate::run::{threads, watch::Watch};
-use crate::tui::idle;
 use crate::tui::request::{Report, Request, Ticket};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
@@ -37,11 +38,24 @@ impl Worker {
         let own = Arc::clone(&wanted);
         threads::start(move || {
             if is_idle {
-                idle::give_way();
+                give_way();
             }
             while let Ok(request) = waiting.recv() {
-                let newest = waiting.try_iter().last().unwrap_or(request);
-                say(work(&newest, &own, limit, &say));
+                let request = waiting.try_iter().last().unwrap_or(request);
+                let begun = Instant::now();
+                let mut reported = begun;
+                let mut watch = |share| {
+                    let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
+                    if is_over || own.load(Ordering::Relaxed) > request.ticket {
+                        return ControlFlow::Break(());
+                    }
+                    if reported.elapsed() >= REPORT_EVERY {
+                        reported = Instant::now();
+                        say(Report::progress(request.ticket, share, begun.elapsed()));
+                    }
+                    ControlFlow::Continue(())
+                };
+                say(request.answered(&mut watch, &say));
             }
         })?;
         Ok(Self { requests, wanted })
@@ -67,26 +81,28 @@ impl Drop for Worker {
     }
 }
 
-fn work(
-    request: &Request,
-    wanted: &AtomicU64,
-    limit: Option<Duration>,
-    say: &impl Fn(Report),
-) -> Report {
-    let begun = Instant::now();
-    let mut reported = begun;
-    let mut watch = |share| {
-        let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
-        if is_over || wanted.load(Ordering::Relaxed) > request.ticket {
-            return ControlFlow::Break(());
-        }
-        if reported.elapsed() >= REPORT_EVERY {
-            reported = Instant::now();
-            say(Report::progress(request.ticket, share, begun.elapsed()));
-        }
-        ControlFlow::Continue(())
-    };
-    request.answered(&mut watch, say)
+/// How much nicer such a thread is: it gets a tenth of a core that somebody else wants.
+#[cfg(target_os = "linux")]
+const NICE: i32 = 10;
+
+/// Lowers the priority of the calling thread, for good.
+#[cfg(target_os = "linux")]
+fn give_way() {
+    // Linux keeps a priority for each thread; where it refuses, the work is only less polite.
+    let _ = rustix::process::nice(NICE);
+}
+
+/// Elsewhere the priority is that of the whole process.
+#[cfg(not(target_os = "linux"))]
+fn give_way() {}
+
+/// As many threads that give way to all other work as there are cores, begun when first asked for.
+pub fn idle_pool() -> &'static ThreadPool {
+    static POOL: LazyLock<ThreadPool> = LazyLock::new(|| {
+        let pool = ThreadPoolBuilder::new().start_handler(|_| give_way());
+        pool.build().expect("threads")
+    });
+    &POOL
 }
 
 /// How far work on several threads is, and what there is of its answer so far.
@@ -235,5 +251,14 @@ mod tests {
         let begun = Instant::now();
         while reports.recv_timeout(PATIENCE).is_ok() {}
         assert!(begun.elapsed() < PATIENCE);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn idle_threads_give_way_and_the_others_keep_their_priority() {
+        let before = rustix::process::getpriority_process(None).unwrap();
+        let there = idle_pool().install(|| rustix::process::getpriority_process(None)).unwrap();
+        assert!(there > before || before == 19, "{there} {before}");
+        assert_eq!(rustix::process::getpriority_process(None).unwrap(), before);
     }
 }

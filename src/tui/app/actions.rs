@@ -3,9 +3,9 @@
 use crate::run::trace::Trace;
 use crate::scenario::{Scenario, set::set};
 use crate::tui::changes::{edit, presets, simulation, take_away, threshold, typing};
-use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
-use crate::tui::{app::App, choices::Choice, clock::Moment, form::strength, model::AppModel};
+use crate::tui::{app::App, clock::Moment, form::strength, model::AppModel};
+use crate::tui::{outbox::Effect, picker::Choice};
 
 /// Queues an effect for the disk, the clipboard, the terminal or a worker.
 pub(crate) fn push(app: &mut App, effect: Effect) {

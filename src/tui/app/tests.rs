@@ -9,11 +9,12 @@ use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, tables};
 use crate::tui::form::{FormRow, Typing};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::picker::{Choice, Picker};
+use crate::tui::prepare;
 use crate::tui::request::{Report, TaskQuestion, Ticket};
 use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, SimulateMarked};
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
 use crate::tui::{app::tables::footer_keys, changes::edit::change, look::Look, outbox::Effect};
-use crate::tui::{choices::Choice, picker::Picker, prepare};
 use crate::tui::{save::SaveError, screens::SCREENS, screens::accuracy::measurement::Measurement};
 use crate::tui::{screens::map::state::Map, simulation::Simulate};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -21,7 +22,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::time::Duration;
 
-mod chosen;
 mod doubt;
 mod first_estimate;
 mod keys;
@@ -502,7 +502,8 @@ fn only_a_preset_of_ones_own_is_renamed_and_removed_and_an_undo_brings_it_back()
     assert_eq!(force(&app), 310.0, "the removal came last");
     press(&mut app, "s");
     assert_eq!(offered(&app), "hers");
-    press(&mut app, "\x1bq");
+    press(&mut app, "\x1b");
+    press(&mut app, "q");
     assert!(matches!(app.model.overlay, Some(Overlay::Prompt(Prompt::Quit { .. }))));
 }
 

@@ -10,7 +10,7 @@ use crate::tui::app::tables::{self, shown_while_typing};
 use crate::tui::app::{App, help, mouse};
 use crate::tui::changes::{presets, samples, simulation, take_away, threshold, typing};
 use crate::tui::screens::screen::KeyOutcome;
-use crate::tui::{choices::Choice, keys::begins_value, outbox::Effect, overlay::Overlay};
+use crate::tui::{keys::begins_value, outbox::Effect, overlay::Overlay, picker::Choice};
 use crate::tui::{request::Report, save::SaveError, screens::SCREENS, screens::screen::About};
 
 /// Something that happened.

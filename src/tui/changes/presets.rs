@@ -1,11 +1,11 @@
 //! Opening a preset, and saving, renaming and removing one of the person's own.
 
 use crate::scenario::load::to_ron;
-use crate::tui::choices::{Choice, MAX_OWN};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::picker::{Choice, MAX_OWN, Picker};
 use crate::tui::save::{SaveError, check_name, free_name};
+use crate::tui::work::Work;
 use crate::tui::{changes::edit::change, line::TextLine, model::AppModel, outbox::Effect};
-use crate::tui::{picker::Picker, work::Work};
 
 pub(crate) fn next_preset(model: &mut AppModel, forward: bool) {
     let count = model.choices.len();
