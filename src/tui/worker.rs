@@ -221,26 +221,21 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_request_ends_and_the_worker_goes_on() {
-        let (worker, reports) = worker(None);
-        submit(&worker, 5, long());
-        // That is another worker's.
-        worker.cancel(9);
-        let first = reports.recv_timeout(PATIENCE).unwrap();
-        assert!(matches!(first.news, News::Share(..)));
-        worker.cancel(5);
-        assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
-        submit(&worker, 6, Scenario::default());
-        assert!(done(&reports).1.is_ok());
-    }
-
-    #[test]
-    fn what_takes_longer_than_the_limit_is_stopped() {
-        let (worker, reports) = worker(Some(Duration::from_millis(300)));
-        submit(&worker, 1, long());
-        assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
-        submit(&worker, 2, Scenario::default());
-        assert!(done(&reports).1.is_ok());
+    fn what_is_cancelled_or_takes_longer_than_the_limit_ends_and_the_worker_goes_on() {
+        for limit in [None, Some(Duration::from_millis(300))] {
+            let (worker, reports) = worker(limit);
+            submit(&worker, 5, long());
+            // That is another worker's.
+            worker.cancel(9);
+            let first = reports.recv_timeout(PATIENCE).unwrap();
+            assert!(matches!(first.news, News::Share(..)));
+            if limit.is_none() {
+                worker.cancel(5);
+            }
+            assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
+            submit(&worker, 6, Scenario::default());
+            assert!(done(&reports).1.is_ok());
+        }
     }
 
     #[test]

@@ -167,8 +167,9 @@ fn marked(app: &App) -> Vec<&str> {
 }
 
 #[test]
-fn every_edit_asks_for_its_own_simulation() {
+fn every_edit_asks_for_its_own_simulation_and_escape_cancels_it() {
     let mut app = app();
+    assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
     let effects = press(&mut app, "lll");
     let asked_once = |one: &[Effect]| asked::<Simulate>(one).map(|(ticket, _)| ticket);
     let tickets: Vec<Ticket> = effects.chunks(1).filter_map(asked_once).collect();
@@ -220,13 +221,6 @@ fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
 }
 
 #[test]
-fn escape_cancels_a_run_and_an_edit_supersedes_it() {
-    let mut app = app();
-    assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
-    assert_eq!(asked::<Simulate>(&press(&mut app, "l")).unwrap().0, 2);
-}
-
-#[test]
 fn undo_and_redo_travel_through_edits_and_presets() {
     let mut app = app();
     press(&mut app, "\r\x15450\r");
@@ -258,6 +252,8 @@ fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current(
     assert_eq!((pulse(&app).angle_deg, limit), (40.0, 40.0));
     assert_eq!(notice(&app), "Angle: -40 to 40 deg");
     assert_eq!(app.model.stale(), None);
+    press(&mut app, "jJl");
+    assert_eq!((pulse(&app).angle_deg, pulse(&app).half_width_deg), (30.0, 21.0));
 }
 
 #[test]
@@ -334,15 +330,6 @@ fn saving_asks_for_a_name_and_before_it_hides_a_preset_and_counts_once_it_is_don
     }
     assert!(!app.model.is_edited() && app.model.overlay.is_none());
     assert_eq!(app.model.work.source, "mine");
-}
-
-#[test]
-fn the_dial_and_the_form_turn_the_same_angle() {
-    let mut app = app();
-    press(&mut app, "\tkkK");
-    assert_eq!(pulse(&app).angle_deg, 10.0);
-    press(&mut app, "l");
-    assert_eq!(pulse(&app).half_width_deg, 21.0);
 }
 
 #[test]
@@ -456,11 +443,7 @@ fn letters_search_the_list_of_presets_and_do_nothing_behind_it() {
     assert!(app.model.work == before && app.screen == 0);
     press(&mut app, "\x1b");
     assert!(app.model.overlay.is_none());
-}
-
-#[test]
-fn what_is_searched_for_is_opened_and_what_was_changed_is_kept() {
-    let mut app = app();
+    // What is found is opened, and what was changed is kept.
     press(&mut app, "lpsqua ball\r");
     assert_eq!(app.model.work.source, "squash-ball");
     assert!(notice(&app).contains("u brings back"));
@@ -530,16 +513,14 @@ fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
 
 #[test]
 fn nothing_runs_that_the_screen_on_show_has_no_room_for() {
-    let busy = |app: &App| {
-        [
+    let busy = |app: &App| -> Vec<&str> {
+        let tasks = [
             ("Compare", app.state::<Comparison>().task.job.is_some()),
             ("Accuracy", app.state::<Measurement>().task.job.is_some()),
             ("Map", app.state::<Map>().task.job.is_some()),
             ("Doubt", app.model.ensemble.task.job.is_some()),
-        ]
-        .into_iter()
-        .filter_map(|(title, busy)| busy.then_some(title))
-        .collect::<Vec<_>>()
+        ];
+        tasks.into_iter().filter_map(|(title, busy)| busy.then_some(title)).collect()
     };
     let mut app = begun();
     press(&mut app, "\x1b4 ");

@@ -4,20 +4,6 @@ use super::*;
 use crate::tui::{form::rows, work::Work};
 
 #[test]
-fn typing_changes_nothing_until_it_is_accepted_and_escape_restores() {
-    let mut app = app();
-    answer(&mut app, 1);
-    for typed in ["\r\x1545", "-"] {
-        assert!(asked::<Simulate>(&press(&mut app, typed)).is_none());
-        assert_eq!((force(&app), app.model.stale()), (300.0, None));
-    }
-    assert!(wrong(&app).contains("allowed"));
-    press(&mut app, "\x1b");
-    assert!(app.model.form.typing.is_none());
-    assert_eq!((force(&app), app.model.history.depth()), (300.0, (0, 0)));
-}
-
-#[test]
 fn arrows_tab_and_function_keys_accept_what_a_digit_began() {
     let (here, down) = ("impact.force_n", "impact.duration_ms");
     for (keys, path, screen) in [
@@ -52,12 +38,10 @@ fn arrows_tab_and_function_keys_accept_what_a_digit_began() {
 #[test]
 fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
     let mut app = app();
-    press(&mut app, "\r45\r");
-    assert_eq!(force(&app), 45.0);
-    press(&mut app, "\r\x1b[D6\r");
-    assert_eq!(force(&app), 465.0);
-    press(&mut app, "\r +- 5\r");
-    assert_eq!(force(&app), 465.0);
+    for (keys, value) in [("\r45\r", 45.0), ("\r\x1b[D6\r", 465.0), ("\r +- 5\r", 465.0)] {
+        press(&mut app, keys);
+        assert_eq!(force(&app), value);
+    }
     assert_eq!(app.model.work.scenario.doubt["impact.force_n"], 5.0);
     press(&mut app, "\r\x1b[200~75\x1b[201~\r");
     assert_eq!(force(&app), 75.0);
@@ -175,20 +159,25 @@ fn what_the_form_shows_can_be_typed() {
 }
 
 #[test]
-fn a_digit_begins_a_value_where_a_number_is_wanted() {
+fn what_is_typed_changes_nothing_until_it_is_accepted_and_escape_restores() {
     let mut app = app();
-    press(&mut app, "450");
-    assert_eq!((force(&app), app.screen), (300.0, 0));
-    assert!(app.model.form.typing.is_some());
-    press(&mut app, "\x1b");
+    answer(&mut app, 1);
+    // A digit begins a value where a number is wanted, Enter everywhere.
+    for (keys, is_wrong) in [("450", false), ("-7\r", true), ("\r\x1545-", true)] {
+        assert!(asked::<Simulate>(&press(&mut app, keys)).is_none());
+        assert_eq!((force(&app), app.model.stale(), app.screen), (300.0, None, 0));
+        assert_eq!(typing(&app).error.is_some(), is_wrong, "{keys}");
+        press(&mut app, "\x1b");
+        assert!(app.model.form.typing.is_none());
+    }
+    assert_eq!((force(&app), app.model.history.depth()), (300.0, (0, 0)));
     press(&mut app, "25\r");
     assert_eq!((force(&app), app.model.history.depth()), (25.0, (1, 0)));
     press(&mut app, "u.5\r");
     assert_eq!(force(&app), 0.5);
-    // A force below nothing is explained, and the value before stays; Enter takes none of it.
+    // A force below nothing is explained; Enter takes none of it.
     press(&mut app, "-7\r");
     assert!(wrong(&app).contains("allowed"));
-    assert_eq!((force(&app), app.model.stale()), (0.5, None));
     press(&mut app, "\x1b\x1b[200~75\x1b[201~\r");
     assert_eq!(force(&app), 75.0);
 }
