@@ -110,11 +110,8 @@ impl Clock {
 
     /// Faster or slower.
     pub fn change_speed(&mut self, faster: bool) {
-        self.speed = if faster {
-            (self.speed + 1).min(SPEEDS.len() - 1)
-        } else {
-            self.speed.saturating_sub(1)
-        };
+        let by = if faster { 1 } else { -1 };
+        self.speed = self.speed.saturating_add_signed(by).min(SPEEDS.len() - 1);
     }
 
     /// The next exaggeration.

@@ -132,9 +132,6 @@ pub fn widened(ensemble: &Ensemble, answer: &Answer) -> Vec<(Injury, Band)> {
 
 /// The scenario without its name, which changes no sample.
 pub(super) fn key(scenario: &Scenario) -> Scenario {
-    Scenario {
-        // No name would be refused.
-        name: "any".to_owned(),
-        ..scenario.clone()
-    }
+    // No name would be refused.
+    Scenario { name: "any".to_owned(), ..scenario.clone() }
 }

@@ -38,10 +38,9 @@ pub struct Binding<A> {
 impl<A: Copy> Binding<A> {
     /// This binding with a name, by which the config file may give it other keys.
     #[must_use]
-    pub const fn named(self, name: &'static str) -> Self {
-        let key = Key { name, ..self.key };
-        let act = self.act;
-        Self { key, act }
+    pub const fn named(mut self, name: &'static str) -> Self {
+        self.key.name = name;
+        self
     }
 }
 
@@ -55,13 +54,9 @@ impl Key {
     pub fn names(&self, keys: &Keys) -> Vec<String> {
         let presses = keys.of(self);
         let digits = presses.iter().filter(|press| press.is_digit()).count() == 10;
-        let mut names: Vec<String> = Vec::new();
-        if digits {
-            names.push("0-9".to_owned());
-        }
-        let rest = presses.iter().filter(|p| !(digits && p.is_digit()));
-        names.extend(rest.map(|press| press.name()));
-        names
+        let rest = presses.iter().filter(|press| !(digits && press.is_digit()));
+        let digits = digits.then(|| "0-9".to_owned());
+        digits.into_iter().chain(rest.map(|press| press.name())).collect()
     }
 }
 
@@ -88,10 +83,8 @@ impl<A: Copy> KeyTable<A> {
 
     /// Its keys, whatever they do.
     pub fn list(&self) -> KeyList {
-        KeyList {
-            title: self.title,
-            keys: self.bindings.iter().map(|binding| &binding.key).collect(),
-        }
+        let keys = self.bindings.iter().map(|binding| &binding.key).collect();
+        KeyList { title: self.title, keys }
     }
 }
 

@@ -42,4 +42,5 @@ mod worker;
 
 mod open;
 
-pub use crate::tui::open::{AppFlags, OpenError, Options, prepare, run};
+pub(crate) use crate::tui::open::run;
+pub use crate::tui::open::{AppFlags, OpenError, Options, prepare};

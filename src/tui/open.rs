@@ -13,7 +13,7 @@ use crate::tui::form::{ScenarioForm, strength};
 use crate::tui::picker::{Choice, Picker, choices};
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::{app::App, config::Config, look::Look, model::AppModel, overlay::Overlay};
-use crate::tui::{guest, saved_session, terminal};
+use crate::tui::{guest, saved_session, screens::SCREENS, terminal};
 use crate::tui::{saved_session::SavedSession, view::palette::Palette, work::Work};
 
 /// What is opened if nothing is asked for.
@@ -95,10 +95,7 @@ impl OpenError {
 }
 
 /// Opens the app and stays until the person leaves, or a guest has touched no key for so long.
-///
-/// # Errors
-/// Where there is no terminal, a scenario makes no sense, or the terminal fails.
-pub fn run(
+pub(crate) fn run(
     sources: &[String],
     flags: &AppFlags,
     guest: Option<Duration>,
@@ -166,22 +163,19 @@ pub fn run(
 fn resume(look: Look) -> Result<App, ScenarioError> {
     let (saved, changed) = match saved_session::read() {
         Ok(Some(saved)) => saved,
-        nothing => {
+        Ok(None) => {
             let mut app = prepare(&[], look)?;
-            match nothing {
-                Err(error) => {
-                    let words = format!("where you left off cannot be read: {error}");
-                    app.model.notice = Some(words);
-                }
-                Ok(_) => {
-                    let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
-                    app.model.overlay = Some(Overlay::Picker(picker));
-                }
-            }
+            let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
+            app.model.overlay = Some(Overlay::Picker(picker));
+            return Ok(app);
+        }
+        Err(error) => {
+            let mut app = prepare(&[], look)?;
+            app.model.notice = Some(format!("where you left off cannot be read: {error}"));
             return Ok(app);
         }
     };
-    let saved_screen = saved.screen();
+    let screen = saved.screen();
     let opened = prepare(std::slice::from_ref(&saved.source), look);
     let gone = opened.is_err();
     let mut app = opened.or_else(|_| prepare(&[], look))?;
@@ -197,7 +191,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
             app.model.work.original = None;
         }
     }
-    app.show(saved_screen);
+    app.show(screen);
     Ok(app)
 }
 
@@ -239,6 +233,8 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     let work = works[0].clone();
     let selected = strength(&work.scenario);
     let form = ScenarioForm { selected, ..ScenarioForm::default() };
-    let model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
-    Ok(App::new(model, &works))
+    let mut model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
+    let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
+    screens.iter_mut().for_each(|screen| screen.opened_on(&mut model, &works));
+    Ok(App { model, screens, screen: 0, dragging: false })
 }

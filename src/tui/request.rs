@@ -43,29 +43,18 @@ pub trait TaskQuestion: Send + Sync + 'static {
 /// An answer of a type that only its question knows.
 pub(super) type Anything = Box<dyn Any + Send>;
 
-/// A question whatever its type.
-trait AnyQuestion: Any + Send + Sync {
-    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal>;
-    fn is_idle(&self) -> bool;
-}
+/// How an answer of any type is found; the second argument is shown parts of it.
+type Find = dyn Fn(Watch, &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> + Send + Sync;
 
-impl<Q: TaskQuestion> AnyQuestion for Q {
-    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> {
-        let answer = self.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
-        Ok(Box::new(answer))
-    }
-
-    fn is_idle(&self) -> bool {
-        TaskQuestion::is_idle(self)
-    }
-}
-
-/// A question on its way to a worker.
+/// A question of any type on its way to a worker.
 #[derive(Clone)]
 pub struct Request {
     /// Its ticket.
     pub ticket: Ticket,
-    question: Arc<dyn AnyQuestion>,
+    /// Which worker it is for, and whether nobody asked for it.
+    pub kind: (TypeId, bool),
+    question: Arc<dyn Any + Send + Sync>,
+    find: Arc<Find>,
 }
 
 impl fmt::Debug for Request {
@@ -83,24 +72,24 @@ impl PartialEq for Request {
 impl Request {
     /// The request of a question.
     pub fn new<Q: TaskQuestion>(ticket: Ticket, question: Arc<Q>) -> Self {
-        Self { ticket, question }
+        let (kind, asked) = ((TypeId::of::<Q>(), question.is_idle()), question.clone());
+        let find = move |watch: Watch, show: &mut dyn FnMut(Anything)| {
+            let answer = asked.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
+            Ok(Box::new(answer) as Anything)
+        };
+        Self { ticket, kind, question, find: Arc::new(find) }
     }
 
     /// The question, if it is of this type.
     pub fn question<Q: TaskQuestion>(&self) -> Option<&Q> {
-        (self.question.as_ref() as &dyn Any).downcast_ref()
-    }
-
-    /// Which worker it is for, and whether nobody asked for it.
-    pub fn kind(&self) -> (TypeId, bool) {
-        ((*self.question).type_id(), self.question.is_idle())
+        self.question.downcast_ref()
     }
 
     /// Does the work; `say` is told what there is so far.
     pub fn answered(&self, watch: Watch, say: &dyn Fn(Report)) -> Report {
         let report = |news| Report { ticket: self.ticket, news };
         let mut show = |so_far| say(report(News::SoFar(so_far)));
-        report(News::Done(self.question.find(watch, &mut show)))
+        report(News::Done((self.find)(watch, &mut show)))
     }
 }
 

@@ -111,10 +111,8 @@ impl TaskQuestion for Complete {
         show(parts.clone());
         let mut second = |share: f64| watch(0.5 + 0.5 * share);
         let inputs = run_watched(&mut second, &mut |()| {}, |stop, progress| {
-            let told = |share| {
-                // `stop` tells it to end.
-                let _ = progress.report(share, || ());
-            };
+            // `stop` tells it to end.
+            let told = |share| _ = progress.report(share, || ());
             idle_pool().install(|| self.inputs.estimate(scenario, stop, told))
         });
         parts.inputs = Some(inputs?);

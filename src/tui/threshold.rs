@@ -22,10 +22,8 @@ impl request::TaskQuestion for FindThreshold {
 
     fn answer(&self, watch: Watch) -> Result<Threshold, Refusal> {
         run_watched(watch, &mut |()| {}, |stop, progress| {
-            self.0.answer(stop, |share| {
-                // `stop` tells it to end.
-                let _ = progress.report(share, || ());
-            })
+            // `stop` tells it to end.
+            self.0.answer(stop, |share| _ = progress.report(share, || ()))
         })
     }
 }

@@ -37,7 +37,7 @@ pub(crate) fn toggle_idle(app: &mut App) {
 pub(crate) fn quit(app: &mut App) {
     let model = &mut app.model;
     if model.is_edited() {
-        model.overlay = Some(Overlay::Prompt(Prompt::Quit { kept: model.goes_on }));
+        model.overlay = Some(Overlay::Prompt(Prompt::Quit(model.goes_on)));
     } else {
         model.out.effects.push(Effect::Quit(0));
     }
@@ -160,14 +160,14 @@ pub(crate) fn reply(app: &mut App, yes: bool) {
         Prompt::Adopt(_, scenario) if yes => edit::adopt(model, *scenario),
         Prompt::Page(stem, text) if yes => model.out.effects.push(Effect::Page(stem, text)),
         Prompt::Page(..) => model.notice = Some("no page is written".to_owned()),
-        Prompt::Quit { .. } if yes => model.out.effects.push(Effect::Quit(0)),
+        Prompt::Quit(_) if yes => model.out.effects.push(Effect::Quit(0)),
         Prompt::Replace(name) | Prompt::Hide(name) if yes => presets::save(model, name, true),
         Prompt::Replace(name) | Prompt::Hide(name) => {
             presets::ask_name(model, Naming::Save, name, None);
         }
         Prompt::Remove(name) if yes => model.out.effects.push(Effect::Remove(name)),
         Prompt::Remove(name) => presets::open_picker_at(model, &name),
-        Prompt::Adopt(..) | Prompt::Quit { .. } => {}
+        Prompt::Adopt(..) | Prompt::Quit(_) => {}
     }
 }
 

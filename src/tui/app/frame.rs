@@ -155,11 +155,8 @@ fn title(app: &App, sheet: &mut Sheet) {
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
     // The mark of an edit is worth more than the name, of which parts are worth nothing while it
     // is short.
-    let (short, mark) = if model.is_edited() {
-        (format!("{} *", model.work.name()), "*")
-    } else {
-        (name.clone(), "")
-    };
+    let mark = if model.is_edited() { "*" } else { "" };
+    let short = format!("{} {mark}", model.work.name());
     let fits = |name: &&String| usize::from(text::width(name)) <= room;
     let name = match [&name, &short].into_iter().find(fits) {
         Some(name) => name.clone(),

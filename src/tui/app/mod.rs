@@ -14,8 +14,8 @@ use std::any::Any;
 
 use crate::tui::changes::{samples, simulation};
 use crate::tui::model::{AppModel, Timed};
+use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::{About, PaneFacts, Screen};
-use crate::tui::{screens::SCREENS, work::Work};
 
 /// Everything between two messages.
 pub struct App {
@@ -30,15 +30,6 @@ pub struct App {
 }
 
 impl App {
-    /// The app with nothing on its screens yet, opened on these.
-    pub fn new(mut model: AppModel, works: &[Work]) -> Self {
-        let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
-        for screen in &mut screens {
-            screen.opened_on(&mut model, works);
-        }
-        Self { model, screens, screen: 0, dragging: false }
-    }
-
     /// The screen on show.
     pub fn on_show(&self) -> &dyn Screen {
         self.screens[self.screen].as_ref()

@@ -53,7 +53,13 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
                 model.shown = Some(ShownAnswer::new(asked.0.clone(), answer));
                 follow(model);
             }
-            None => explain_cancelling(model),
+            None => {
+                // A run that was cancelled begins by no key, but by the next edit.
+                let complaint = model.run.complaint.as_mut().map(|(_, why)| why);
+                if let Some(why) = complaint.filter(|why| **why == Refusal::Cancelled.to_string()) {
+                    why.push_str(": the next edit simulates again");
+                }
+            }
         }
     }
     if let Some((_, Some(part))) = model.rest.take_report(report)
@@ -89,14 +95,5 @@ pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
     model.rest.stop(None, &mut model.out);
     if let Some(question) = question {
         model.rest.ask(question, &mut model.out);
-    }
-}
-
-/// A run that was cancelled begins by no key, but by the next edit.
-fn explain_cancelling(model: &mut AppModel) {
-    if let Some((_, why)) = &mut model.run.complaint
-        && *why == Refusal::Cancelled.to_string()
-    {
-        why.push_str(": the next edit simulates again");
     }
 }

@@ -83,7 +83,7 @@ fn every_place_can_be_left_and_stopped() {
         Overlay::Help(0),
         Overlay::Picker(Picker::default()),
         Overlay::Name(Naming::Save, crate::tui::line::TextLine::default(), None),
-        Overlay::Prompt(Prompt::Quit { kept: false }),
+        Overlay::Prompt(Prompt::Quit(false)),
     ];
     let behind = overlays.map(|overlay| {
         let mut app = opened();
