@@ -323,8 +323,7 @@ mod tests {
             assert_eq!(Config::read(&printed, "").unwrap(), config, "{printed}");
         }
         let config = Config::read(own, "").unwrap();
-        let read = (config.fps, config.first_screen(), config.idle);
-        assert_eq!(read, (30, Some(6), false));
+        assert_eq!((config.fps, config.first_screen(), config.idle), (30, Some(6), false));
         assert!(config.to_ron().contains("1 to 60; usually 12."));
     }
 
@@ -341,9 +340,8 @@ mod tests {
             ("mouse: 1", 9, "neither true nor false: allowed true or false"),
             ("start: \"nowhere\"", 9, screens),
         ] {
-            let text = format!("(\n {written},\n)");
             let told = format!("config.ron:2:{at}: {written} is {told}");
-            assert_eq!(complaint(&text), told);
+            assert_eq!(complaint(&format!("(\n {written},\n)")), told);
         }
         let complaint = complaint("(start: \"nowhere\", fps: 0)");
         assert_eq!(complaint.lines().count(), 2, "{complaint}");
@@ -353,24 +351,19 @@ mod tests {
     fn colours_are_chosen_by_the_name_of_their_role() {
         let config = Config::read("(colours: (heading: 21, fat: \"bright red\"))", "").unwrap();
         let own = config.colours;
-        let places = [own.heading.0, own.fat.0, own.bar.0];
-        assert_eq!(places, [Some(21), Some(9), None]);
+        assert_eq!([own.heading.0, own.fat.0, own.bar.0], [Some(21), Some(9), None]);
         let printed = config.to_ron();
-        assert!(printed.contains("heading: 21,"), "{printed}");
-        assert!(printed.contains("fat: \"bright red\","), "{printed}");
-        assert!(printed.contains("bar: \"auto\","), "{printed}");
+        for line in ["heading: 21,", "fat: \"bright red\",", "bar: \"auto\","] {
+            assert!(printed.contains(line), "{printed}");
+        }
         let allowed = "allowed \"auto\", whole numbers 0 to 255, or one of \"black\", \"red\", ";
         for (written, at) in [("heading: 256", 12), ("fat: \"mauve\"", 8), ("bar: true", 8)] {
             let told = complaint(&format!("(\n colours: (\n  {written},\n ),\n)"));
-            let begins =
-                format!("config.ron:3:{at}: colours.{written} is no such colour: {allowed}");
-            assert!(told.starts_with(&begins), "{told}");
+            let why = format!("colours.{written} is no such colour: {allowed}");
+            assert!(told.starts_with(&format!("config.ron:3:{at}: {why}")), "{told}");
         }
         let told = complaint("(colours: (hedding: 1))");
-        assert!(
-            told.contains("colours.hedding: there is no such field; did you mean heading?"),
-            "{told}"
-        );
+        assert!(told.contains("colours.hedding: there is no such field; did you mean heading?"));
     }
 
     #[test]

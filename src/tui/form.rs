@@ -335,10 +335,8 @@ mod tests {
             let Kind::Number(_, place) = &field.kind else {
                 continue;
             };
-            let holder = every_variant()
-                .into_iter()
-                .rfind(|scenario| (place.get)(scenario).is_some())
-                .unwrap();
+            let has = |scenario: &Scenario| (place.get)(scenario).is_some();
+            let holder = every_variant().into_iter().rfind(has).unwrap();
             let bounds = field.bounds_in(&holder).unwrap();
             for (end, step) in [(bounds.max, Step::MUCH_MORE), (bounds.min, Step::MUCH_LESS)] {
                 let mut scenario = holder.clone();

@@ -160,10 +160,9 @@ pub fn footer_keys(
 /// The lists as the guide shows them: a heading and a block of text for each.
 pub fn markdown(lists: &[KeyList]) -> String {
     let keys = Keys::default();
+    let row = |key: &&Key| format!("{:<15} {}\n", key.names(&keys).join(" "), key.help);
     let section = |list: &KeyList| {
-        let own = list.keys.iter();
-        let rows = own.map(|key| format!("{:<15} {}\n", key.names(&keys).join(" "), key.help));
-        let rows: String = rows.collect();
+        let rows: String = list.keys.iter().map(row).collect();
         format!("\n## {}\n\n```text\n{rows}```\n", list.title)
     };
     lists.iter().map(section).collect()

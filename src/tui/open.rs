@@ -38,12 +38,9 @@ pub struct Options {
 }
 
 fn minutes(text: &str) -> Result<Duration, &'static str> {
-    match text.parse::<f64>() {
-        Ok(minutes) if (0.01..=1440.0).contains(&minutes) => {
-            Ok(Duration::from_secs_f64(60.0 * minutes))
-        }
-        _ => Err("expected 0.01 to 1440 minutes"),
-    }
+    let minutes = text.parse().ok().filter(|minutes| (0.01..=1440.0).contains(minutes));
+    let seconds = minutes.map(|minutes: f64| 60.0 * minutes);
+    seconds.map(Duration::from_secs_f64).ok_or("expected 0.01 to 1440 minutes")
 }
 
 /// How the app looks and listens.
@@ -138,9 +135,7 @@ pub(crate) fn run(
     app.model.idle = config.idle;
     app.model.keys = config.keys;
     // Several that were given are compared.
-    if let Some(screen) = first
-        && sources.len() < 2
-    {
+    if let Some(screen) = first.filter(|_| sources.len() < 2) {
         app.show(screen);
     }
     let settings = terminal::Settings {
@@ -199,9 +194,8 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
 fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError> {
     model.guest = true;
     for choice in &mut model.choices {
-        if let Ok(scenario) = &choice.scenario
-            && let Err(why) = guest::allowed(scenario)
-        {
+        let may = choice.scenario.as_ref().map(guest::allowed);
+        if let Ok(Err(why)) = may {
             if sources.contains(&choice.name) {
                 return Err(Problem::new("", why).of(&choice.name).into());
             }
@@ -223,10 +217,9 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     for source in sources {
         let scenario = resolve(source)?;
         if !choices.iter().any(|choice| choice.name == *source) {
-            choices.insert(
-                works.len().min(choices.len()),
-                Choice { name: source.clone(), scenario: Ok(scenario.clone()), origin: "file" },
-            );
+            let scenario = Ok(scenario.clone());
+            let choice = Choice { name: source.clone(), scenario, origin: "file" };
+            choices.insert(works.len().min(choices.len()), choice);
         }
         works.push(Work::fresh(source, &scenario));
     }

@@ -1,7 +1,7 @@
 //! What keys and answers do to the app, without a terminal and without threads.
 
-use crate::answer::solve::{Answer, solve};
-use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal, watch::unwatched};
+use crate::answer::solve::Answer;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::unwatched};
 use crate::scenario::library::find;
 use crate::scenario::{ForcePulse, Impact, fields};
 use crate::tui::app::frame::{draw, tabs};
@@ -140,13 +140,19 @@ fn running(app: &App) -> Ticket {
 
 /// What comes of the scenario that is worked on.
 fn simulated(app: &App) -> Result<Answer, Refusal> {
-    let scenario = app.model.work.scenario.check().unwrap();
-    solve(&scenario, Keep::default(), &mut unwatched)
+    Simulate(app.model.work.scenario.clone()).answer(&mut unwatched)
 }
 
 fn answer(app: &mut App, ticket: Ticket) {
     let answer = simulated(app);
     done::<Simulate>(app, ticket, answer);
+}
+
+/// At the force of the first preset, whose answer is there.
+fn answered() -> App {
+    let mut app = app();
+    answer(&mut app, 1);
+    app
 }
 
 fn answer_running(app: &mut App) {
@@ -189,8 +195,7 @@ fn a_late_answer_changes_nothing() {
 
 #[test]
 fn a_refusal_keeps_the_last_good_result_and_says_why() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     press(&mut app, "l");
     let ticket = running(&app);
     done::<Simulate>(&mut app, ticket, Err(Refusal::Cancelled));
@@ -205,8 +210,7 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
 
 #[test]
 fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     press(&mut app, "ptennis\r");
     assert_eq!(app.model.work.name(), "tennis-ball");
     assert!(app.model.form.selected == row("impact.speed_m_s"), "its speed is next");
@@ -361,8 +365,7 @@ fn unmarking_stops_a_simulation_nobody_waits_for_and_the_form_follows_into_the_c
 
 #[test]
 fn time_passes_only_while_the_replay_plays() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     let second = |n| Message::Tick(Duration::from_secs(n));
     update(&mut app, second(1));
     let still = app.time();

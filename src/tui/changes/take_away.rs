@@ -46,11 +46,9 @@ pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'s
         words.extend(["-o".to_owned(), format!("{stem}.html")]);
         line("report", &words)
     });
-    let blows = answers
-        .iter()
-        .map(|(source, shown)| (source.clone(), shown.scenario.clone(), shown.answer.clone()))
-        .collect();
-    Ok(WritePage { stem, blows, command })
+    let blow =
+        |(source, shown): &Named| (source.clone(), shown.scenario.clone(), shown.answer.clone());
+    Ok(WritePage { stem, blows: answers.iter().map(blow).collect(), command })
 }
 
 /// Has a page that is done put on the disk.

@@ -3,16 +3,6 @@
 use super::*;
 use crate::tui::page::{WritePage, writing};
 
-/// Opened, and its answer there.
-fn answered() -> App {
-    let mut app = opened();
-    let effects = begin(&mut app);
-    let (ticket, question) = asked::<Simulate>(&effects).unwrap();
-    let answer = question.answer(&mut unwatched);
-    done::<Simulate>(&mut app, ticket, answer);
-    app
-}
-
 #[test]
 fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
     let mut app = answered();

@@ -52,8 +52,7 @@ fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
 
 #[test]
 fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     let effects = press(&mut app, "\r\x1545\r");
     assert!(asked::<Simulate>(&effects).is_some());
     answer_running(&mut app);
@@ -160,8 +159,7 @@ fn what_the_form_shows_can_be_typed() {
 
 #[test]
 fn what_is_typed_changes_nothing_until_it_is_accepted_and_escape_restores() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     // A digit begins a value where a number is wanted, Enter everywhere.
     for (keys, is_wrong) in [("450", false), ("-7\r", true), ("\r\x1545-", true)] {
         assert!(asked::<Simulate>(&press(&mut app, keys)).is_none());
