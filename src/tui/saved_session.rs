@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use ron::ser::{PrettyConfig, to_string_pretty};
 use serde::{Deserialize, Serialize};
 
 use crate::scenario::load::{parse, read_text, to_ron};
@@ -46,17 +47,6 @@ impl SavedSession {
         let here = |about: &About| about.title.eq_ignore_ascii_case(&self.screen);
         SCREENS.iter().position(here).unwrap_or(0)
     }
-
-    /// Reads the text of a file: the session, and what was made of its source.
-    pub(super) fn read(text: &str) -> Result<(Self, Option<Scenario>), ScenarioError> {
-        let session: Self = ron_text::read(text, "")?;
-        let changed = session.changed.as_ref().map(|text| parse(text, "changed")).transpose()?;
-        Ok((session, changed))
-    }
-
-    pub(super) fn text(&self) -> Result<String, ron::Error> {
-        Ok(ron::ser::to_string_pretty(self, ron::ser::PrettyConfig::default())? + "\n")
-    }
 }
 
 fn path() -> Option<PathBuf> {
@@ -65,10 +55,12 @@ fn path() -> Option<PathBuf> {
 
 /// Where the app was left, if it was ever left, and what was made of what was worked on.
 pub fn read() -> Result<Option<(SavedSession, Option<Scenario>)>, ScenarioError> {
-    match path().filter(|path| path.symlink_metadata().is_ok()) {
-        Some(path) => SavedSession::read(&read_text(&path)?).map(Some),
-        None => Ok(None),
-    }
+    let Some(path) = path().filter(|path| path.symlink_metadata().is_ok()) else {
+        return Ok(None);
+    };
+    let session: SavedSession = ron_text::read(&read_text(&path)?, "")?;
+    let changed = session.changed.as_ref().map(|text| parse(text, "changed")).transpose()?;
+    Ok(Some((session, changed)))
 }
 
 /// Where it is kept, in a folder that is made if need be.
@@ -87,6 +79,6 @@ pub fn can_be_kept() -> bool {
 
 /// Keeps where the app is left.
 pub fn write(session: &SavedSession) -> io::Result<()> {
-    let text = session.text().map_err(io::Error::other)?;
-    whole_file::write(&place()?, |file| file.write_all(text.as_bytes()))
+    let text = to_string_pretty(session, PrettyConfig::default()).map_err(io::Error::other)?;
+    whole_file::write(&place()?, |file| writeln!(file, "{text}"))
 }

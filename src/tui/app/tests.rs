@@ -27,7 +27,6 @@ mod first_estimate;
 mod keys;
 mod map;
 mod mouse;
-mod saved_session;
 mod take_away;
 mod threshold;
 mod typing;
@@ -302,20 +301,6 @@ fn more_scenarios_than_can_be_marked_are_counted() {
 }
 
 #[test]
-fn quitting_asks_only_when_work_would_be_lost() {
-    let mut app = app();
-    assert_eq!(press(&mut app, "q"), [Effect::Quit(0)]);
-    press(&mut app, "l");
-    assert_eq!(press(&mut app, "q"), []);
-    assert_eq!(press(&mut app, "n"), []);
-    assert_eq!(press(&mut app, "qy"), [Effect::Quit(0)]);
-    press(&mut app, "u");
-    assert_eq!(press(&mut app, "q"), [Effect::Quit(0)]);
-    press(&mut app, "l");
-    assert_eq!(press(&mut app, "\x03"), [Effect::Quit(130)]);
-}
-
-#[test]
 fn saving_asks_for_a_name_and_before_it_hides_a_preset_and_counts_once_it_is_done() {
     let mut app = app();
     press(&mut app, "ls");
@@ -323,9 +308,7 @@ fn saving_asks_for_a_name_and_before_it_hides_a_preset_and_counts_once_it_is_don
     assert_eq!(press(&mut app, "\x15paper-300n\r"), []);
     let hide = Prompt::Hide("paper-300n".to_owned());
     assert!(matches!(&app.model.overlay, Some(Overlay::Prompt(q)) if *q == hide));
-    press(&mut app, "n\x15a/b\r");
-    assert!(matches!(&app.model.overlay, Some(Overlay::Name(_, _, Some(_)))));
-    let effects = press(&mut app, "\x15mine\r");
+    let effects = press(&mut app, "n\x15mine\r");
     let [Effect::Save(name, text, false)] = &effects[..] else { panic!("{effects:?}") };
     assert!(name == "mine" && text.contains("name: \"mine\""));
     for outcome in [Err(SaveError::Failed("no space".to_owned())), Ok(())] {
