@@ -35,12 +35,11 @@ impl TextLine {
 
     /// Takes a key in.
     pub fn key(&mut self, event: KeyEvent) {
-        match letter(event) {
-            Some(c) => self.put(c),
-            None => {
-                self.selected = false;
-                self.input.handle_event(&Event::Key(event));
-            }
+        if let Some(c) = letter(event) {
+            self.put(c);
+        } else {
+            self.selected = false;
+            self.input.handle_event(&Event::Key(event));
         }
     }
 }

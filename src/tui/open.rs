@@ -228,6 +228,8 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     let form = ScenarioForm { selected, ..ScenarioForm::default() };
     let mut model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
     let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
-    screens.iter_mut().for_each(|screen| screen.opened_on(&mut model, &works));
+    for screen in &mut screens {
+        screen.opened_on(&mut model, &works);
+    }
     Ok(App { model, screens, screen: 0, dragging: false })
 }

@@ -35,10 +35,10 @@ impl<T> History<T> {
 
     /// Takes the last change back, or makes it again: gives what was there, if there is one.
     pub fn travel(&mut self, back: bool, present: T) -> Option<T> {
-        let (from, to) = match back {
-            true => (&mut self.past, &mut self.future),
-            false => (&mut self.future, &mut self.past),
-        };
+        let (mut from, mut to) = (&mut self.past, &mut self.future);
+        if !back {
+            (from, to) = (to, from);
+        }
         let other = from.pop()?;
         to.push(present);
         self.last = None;

@@ -26,11 +26,8 @@ pub(crate) fn toggle_mouse(app: &mut App) {
 pub(crate) fn toggle_idle(app: &mut App) {
     let model = &mut app.model;
     model.idle = !model.idle;
-    let words = match model.idle {
-        true => "on: mesh error and bands are computed ahead",
-        false => "off: nothing is computed ahead",
-    };
-    model.notice = Some(format!("idle work {words}"));
+    let ahead = ["off: nothing is", "on: mesh error and bands are"][usize::from(model.idle)];
+    model.notice = Some(format!("idle work {ahead} computed ahead"));
 }
 
 /// Leaves, after a question if work would be lost.

@@ -78,11 +78,10 @@ fn tell<Q: TaskQuestion>(
     answer: Q::Answer,
     whole: bool,
 ) -> Vec<Effect> {
-    let report = match whole {
-        true => Report::done::<Q>(ticket, Ok(answer)),
-        false => Report::so_far::<Q>(ticket, answer),
-    };
-    update(app, Message::News(report))
+    if whole {
+        return done::<Q>(app, ticket, Ok(answer));
+    }
+    update(app, Message::News(Report::so_far::<Q>(ticket, answer)))
 }
 
 fn press(app: &mut App, keys: &str) -> Vec<Effect> {

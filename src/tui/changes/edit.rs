@@ -36,12 +36,11 @@ pub(crate) fn travel(model: &mut AppModel, back: bool) {
         model.out.effects.push(Effect::Restore(name, text));
         return;
     }
-    match model.history.travel(back, model.work.clone()) {
-        Some(work) => set_work(model, work),
-        None => {
-            let what = if back { "undo" } else { "redo" };
-            model.notice = Some(format!("nothing to {what}"));
-        }
+    if let Some(work) = model.history.travel(back, model.work.clone()) {
+        set_work(model, work);
+    } else {
+        let what = if back { "undo" } else { "redo" };
+        model.notice = Some(format!("nothing to {what}"));
     }
 }
 
