@@ -6,7 +6,8 @@
 //! memory; it computes nothing that nobody asked for. Levels, windows, samples and the time of one
 //! answer are bounded, and a session without keys ends.
 //!
-//! Left out: a sandbox of system calls. The program runs no other one, nor does the account.
+//! Left out: a sandbox of system calls. The program runs no other one, and the account's forced
+//! command lets nobody ask for another.
 
 use std::io;
 use std::time::Duration;
