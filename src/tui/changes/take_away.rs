@@ -35,9 +35,6 @@ fn repeating(model: &AppModel, answers: &[Named]) -> Option<Vec<String>> {
 }
 
 /// The question for a page of what is on show, into the folder that the app was opened in.
-///
-/// # Errors
-/// Says why there is none.
 pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'static str> {
     if model.guest {
         return Err("a guest writes no files");
@@ -49,11 +46,9 @@ pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'s
         words.extend(["-o".to_owned(), format!("{stem}.html")]);
         line("report", &words)
     });
-    let blows = answers
-        .iter()
-        .map(|(source, shown)| (source.clone(), shown.scenario.clone(), shown.answer.clone()))
-        .collect();
-    Ok(WritePage { stem, blows, command })
+    let blow =
+        |(source, shown): &Named| (source.clone(), shown.scenario.clone(), shown.answer.clone());
+    Ok(WritePage { stem, blows: answers.iter().map(blow).collect(), command })
 }
 
 /// Has a page that is done put on the disk.
@@ -74,9 +69,6 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
 }
 
 /// A summary of what is on show, and the command that repeats it.
-///
-/// # Errors
-/// Says why there is none.
 pub(crate) fn summary(model: &AppModel, answers: &[Named]) -> Result<String, &'static str> {
     check(model, answers)?;
     let one = |answer: &Named| {

@@ -172,7 +172,7 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, shee
         let at = (0, area.height - 2);
         sheet.put(at, "? unverified figures", theme.warning());
     }
-    let material = model.material();
+    let material = model.work.scenario.model.title();
     sheet.put((0, area.height - 1), material, theme.quiet());
 }
 

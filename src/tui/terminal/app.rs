@@ -21,7 +21,7 @@ use crate::tui::terminal::input::{Parser, TerminalInput};
 use crate::tui::terminal::pacer::{Cause, Pacer};
 use crate::tui::terminal::paint::{BEGIN, END, Pen, question};
 use crate::tui::terminal::{session::Session, system};
-use crate::tui::{choices::choices, guest::LONGEST_ANSWER, outbox::Effect, terminal::jobs::Jobs};
+use crate::tui::{guest::LONGEST_ANSWER, outbox::Effect, picker::choices, terminal::jobs::Jobs};
 
 /// How the app runs.
 pub struct Settings {

@@ -21,9 +21,10 @@ pub enum ColorFlag {
 }
 
 /// How to draw the mesh and the curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Symbols {
     /// Eight dots in a character
+    #[default]
     Braille,
     /// Eight dots, and pictures in eight blocks a character, which few fonts have (Unicode 16)
     Octant,
@@ -34,9 +35,10 @@ pub enum Symbols {
 }
 
 /// How many colours there are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Depth {
     /// No colours.
+    #[default]
     Mono,
     /// The 16 of every terminal.
     Sixteen,

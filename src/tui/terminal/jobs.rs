@@ -29,7 +29,7 @@ impl Jobs {
     /// Hands a request to the thread of its kind.
     pub(super) fn start(&mut self, request: Request) -> io::Result<()> {
         let (send, limit) = (&self.send, self.limit);
-        let kind = request.kind();
+        let kind = request.kind;
         let worker = match self.workers.entry(kind) {
             Entry::Occupied(there) => there.into_mut(),
             Entry::Vacant(none) => {

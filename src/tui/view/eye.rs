@@ -83,7 +83,8 @@ impl<'a> EyePicture<'a> {
             blow: None,
             aiming: false,
             playing: model.clock.playing,
-            lean: model.is_lean(),
+            // Few bytes while it moves over a slow link.
+            lean: model.slow_link && model.clock.playing,
             front: false,
             look: model.look,
         }

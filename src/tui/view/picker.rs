@@ -3,7 +3,7 @@
 use crate::tui::picker::{Picker, facts};
 use crate::tui::view::popup::{frame, input};
 use crate::tui::view::text::{fitted, seen, width};
-use crate::tui::{choices::Choice, model::AppModel, view::chart::mark, view::sheet::Sheet};
+use crate::tui::{model::AppModel, picker::Choice, view::chart::mark, view::sheet::Sheet};
 
 /// Columns of a name, and the ends of the three facts.
 const NAME: u16 = 20;

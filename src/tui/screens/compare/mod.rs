@@ -16,9 +16,9 @@ use crate::tui::changing::{Changing, began_as, called};
 use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP, c};
 use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::picker::{PAGE, Picker};
+use crate::tui::picker::{Choice, PAGE, Picker};
 use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::{choices::Choice, overlay::Overlay, request::Report, screens::forces::drawn};
+use crate::tui::{overlay::Overlay, request::Report, screens::forces::drawn};
 use crate::tui::{screens::replay::FrameKeys, shown::ShownAnswer, simulation::Complete};
 use crate::tui::{view::sheet::Sheet, work::Work};
 use comparison::{

@@ -43,7 +43,7 @@ pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     if after - bottom > 1 {
         sheet.put((1, bottom), UNVERIFIED, theme.warning());
     }
-    sheet.put((1, after - 1), model.material(), theme.text());
+    sheet.put((1, after - 1), model.work.scenario.model.title(), theme.text());
     sheet.put_lines((1, after), &purpose, theme.quiet());
 }
 
