@@ -69,8 +69,7 @@ impl Screen for Injuries {
 /// Draws the eye when the tissue of the chosen injury felt most.
 fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let area = sheet.area;
-    let injury = Injury::ALL.get(row);
-    let peak = injury.and_then(|injury| shown.answer.peak(injury.measure()));
+    let peak = shown.answer.peak(Injury::ALL[row].measure());
     let time = peak.map_or(model.time(), |peak| peak.time);
     let height = area.height.min(area.width / 2);
     EyePicture::of(model, shown, time).draw(Rect { height, ..area }, sheet.buffer);
@@ -85,8 +84,7 @@ fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
     let area = sheet.area;
     let sheet = &mut sheet.at(Rect { height: area.height.saturating_sub(SIGN_ROWS), ..area });
     let Some(sectors) = &shown.answer.run.sectors else {
-        let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
-        sheet.put_lines((1, 1), &lines, sheet.theme.text());
+        sheet.put_wrapped((1, 1), ROUND, sheet.theme.text());
         return;
     };
     let side = shown.scenario.eye_side();
@@ -98,16 +96,12 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let room = usize::from(area.width.saturating_sub(2));
     let used = above(model, shown, sheet);
     draw_signs(sheet);
-    let sheet = &mut sheet.at(Rect {
-        y: area.y + used,
-        height: area.height.saturating_sub(SIGN_ROWS + used),
-        ..area
-    });
+    let height = area.height.saturating_sub(SIGN_ROWS);
+    let sheet = &mut sheet.at(below(Rect { height, ..area }, used));
     let area = sheet.area;
     let risks = shown.answer.risks();
     let Some(risk) = risks.get(row) else {
-        let silence = wrapped(&first_line(&shown.answer), room);
-        sheet.put_lines((1, 1), &silence, theme.text());
+        sheet.put_wrapped((1, 1), &first_line(&shown.answer), theme.text());
         return;
     };
     let count = risks.len() as u16;
@@ -115,9 +109,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let heading = ("80 % ranges", theme.heading());
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
-    for x in 0..foot.area.width {
-        foot.put((x, 0), "─", theme.line());
-    }
+    foot.put((0, 0), "─".repeat(area.width.into()), theme.line());
     // What is believed comes first, and last what does not count here.
     let mut sentences = vec![format!("{}: {}", risk.injury.name(), risk.words())];
     let mut basis = basis(&shown.answer, risk);
@@ -127,8 +119,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         basis[0] = format!("matched to {}", risk.injury.curve().matched);
     }
     sentences.append(&mut basis);
-    let counts = shown.answer.case.blow.tested > 0.0;
-    if counts {
+    if shown.answer.case.blow.tested > 0.0 {
         sentences.extend(published);
     } else if !published.is_empty() {
         let said = published.join("; ");
@@ -141,8 +132,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
             sentences[0] = sentences[0].replace(note, in_short(note));
         }
     }
-    let said = whole_sentences(&sentences, room, rows);
-    foot.put_lines((1, 1), &said, theme.text());
+    foot.put_lines((1, 1), whole_sentences(&sentences, room, rows), theme.text());
 }
 
 /// The paper's index, the flags and what the screen asks; gives the rows taken.

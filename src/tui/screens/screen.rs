@@ -5,13 +5,15 @@ use std::any::Any;
 
 use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 use crate::run::trace::Trace;
 use crate::scenario::Scenario;
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::{keys::press::Press, request::Report, shown::ShownAnswer, step::Step};
-use crate::tui::{view::sheet::Sheet, work::Work};
+use crate::tui::request::{Report, TaskQuestion};
+use crate::tui::{keys::press::Press, outbox::Outbox, shown::ShownAnswer, step::Step, task::Task};
+use crate::tui::{view::sheet::Sheet, view::theme::Theme, work::Work};
 
 /// What there is to know of a screen before it is opened.
 pub struct About {
@@ -90,7 +92,7 @@ pub trait Screen: Keyed + Any {
     /// told of drags from there.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, _area: Rect) -> bool {
         if let Mouse::Wheel(_, step) = mouse {
-            self.step_time(model, step.reversed());
+            self.step(model, step.reversed());
         }
         false
     }
@@ -100,8 +102,8 @@ pub trait Screen: Keyed + Any {
         model.timed()
     }
 
-    /// Goes through that time by a step from frame to frame.
-    fn step_time(&self, model: &mut AppModel, step: Step) {
+    /// Goes a step through what it shows: if it says nothing else, from frame to frame of that time.
+    fn step(&mut self, model: &mut AppModel, step: Step) {
         let mut clock = model.clock;
         if let Some((answer, window)) = self.timed(model) {
             let time = clock.time_in(Some((answer, window)));
@@ -118,6 +120,37 @@ pub trait Screen: Keyed + Any {
     /// The answers on show, each by its name: what is taken away from here.
     fn answers<'a>(&'a self, model: &'a AppModel) -> Vec<(String, &'a ShownAnswer)> {
         model.answer()
+    }
+}
+
+/// Has a task do what is wanted and nothing else; `same` tells whether it is at it already.
+pub fn follow<Q: TaskQuestion>(
+    task: &mut Task<Q>,
+    wanted: Option<Q>,
+    same: fn(&Q, &Q) -> bool,
+    out: &mut Outbox,
+) {
+    let both = task.job.as_ref().zip(wanted.as_ref());
+    if both.is_some_and(|(job, wanted)| same(&job.question, wanted)) {
+        return;
+    }
+    task.stop(None, out);
+    if let Some(question) = wanted {
+        task.ask(question, out);
+    }
+}
+
+/// How far a screen's work is, or why it stopped, or else what is `known`, for its first row.
+pub fn state_of_work(
+    pace: Option<String>,
+    stopped: Option<&str>,
+    known: String,
+    theme: Theme,
+) -> (String, Style) {
+    match (pace, stopped) {
+        (Some(pace), _) => (format!("{pace}  Esc stops"), theme.warning()),
+        (None, Some(why)) => (format!("{why}: m goes on"), theme.warning()),
+        (None, None) => (known, theme.quiet()),
     }
 }
 
@@ -172,7 +205,7 @@ pub struct Pane<S: 'static> {
 }
 
 impl<S> Pane<S> {
-    /// A pane of this name.
+    /// A pane with these.
     pub const fn new(name: &'static str, time: TimeKeys, keys: &'static [PaneKeys<S>]) -> Self {
         Self { name, keys, time }
     }

@@ -14,7 +14,7 @@ use contrecoup::tui::look::Look;
 use contrecoup::tui::outbox::Effect;
 use contrecoup::tui::prepare;
 use contrecoup::tui::request::{Report, Ticket};
-use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
+use contrecoup::tui::screens::accuracy::{MeasureAccuracy, Measurement};
 use contrecoup::tui::screens::compare::comparison::SimulateMarked;
 use contrecoup::tui::screens::map::state::{DrawMap, Map};
 use contrecoup::tui::simulation::Simulate;

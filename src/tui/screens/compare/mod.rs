@@ -39,7 +39,7 @@ impl Panes for Comparison {
         Pane::new(
             view::PANES[REPLAYS],
             TimeKeys::Early,
-            &[PaneKeys::new("Compare: replays", FrameKeys::ALL), ALIGN_KEYS],
+            &[PaneKeys::new("Compare: replays", Self::FRAME_KEYS), ALIGN_KEYS],
         ),
     ];
 }
@@ -239,7 +239,7 @@ impl Screen for Comparison {
             Mouse::Wheel(_, step) => match self.pane {
                 LIST => self.move_cursor(model, if step.up { -1 } else { 1 }),
                 TABLE => self.change_column(if step.up { -1 } else { 1 }),
-                _ => self.step_time(model, step.reversed()),
+                _ => self.step(model, step.reversed()),
             },
         }
         false

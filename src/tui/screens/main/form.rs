@@ -1,13 +1,14 @@
 //! The form at the left of the main screen.
 
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 use crate::report::format::digits;
 use crate::scenario::doubt::begun;
-use crate::scenario::fields::{FIELDS, Field, Kind};
+use crate::scenario::fields::{Field, Kind};
 use crate::tui::form::{FormRow, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::view::text::{fitted, width, wrapped};
-use crate::tui::view::{popup::input, sheet::Sheet};
+use crate::tui::view::{popup::input, sheet::Sheet, theme::Theme};
 use crate::tui::{model::AppModel, overlay::Overlay, screens::main::pulse, view::PURPOSE};
 
 /// The places of the panes.
@@ -24,21 +25,14 @@ pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     let focused = pane == FORM && in_front;
     let purpose = purpose(area);
     let bottom = area.height - foot(model, area);
-    let note = note(model, pane);
-    let said = wrapped(&note.0, usize::from(area.width - 2));
     let shown = visible(model, pane, area);
-    for (y, row) in shown.iter().enumerate() {
+    for (y, row) in (0..).zip(&shown) {
         let chosen = *row == model.form.selected;
-        draw_row(model, *row, (chosen, focused), &mut sheet.row(y as u16));
+        draw_row(model, *row, (chosen, focused), &mut sheet.row(y));
     }
-    let used = shown.len() as u16;
-    let style = match note.1 {
-        Tone::Quiet => theme.quiet(),
-        Tone::Error => theme.error(),
-        Tone::Warning => theme.warning(),
-    };
-    let lines = said.iter().take(MAX_NOTE_LINES);
-    sheet.put_lines((1, used + 1), lines, style);
+    let (text, style) = note(model, pane);
+    let lines = wrapped(&text, usize::from(area.width - 2)).into_iter().take(MAX_NOTE_LINES);
+    sheet.put_lines((1, shown.len() as u16 + 1), lines, style(theme));
     let after = area.height - purpose.len() as u16;
     if after - bottom > 1 {
         sheet.put((1, bottom), UNVERIFIED, theme.warning());
@@ -80,26 +74,16 @@ pub fn visible(model: &AppModel, pane: usize, area: Rect) -> Vec<FormRow> {
     rows.into_iter().skip(first).take(room).collect()
 }
 
-enum Tone {
-    Quiet,
-    Error,
-    Warning,
-}
-
-/// What there is to say about the newest edit, or about the chosen field.
-fn note(model: &AppModel, pane: usize) -> (String, Tone) {
-    if let Some(Typing { error: Some(why), .. }) = &model.form.typing {
-        return (why.clone(), Tone::Error);
-    }
-    if let Some(why) = &model.form.complaint {
-        return (why.clone(), Tone::Error);
-    }
-    if let Some((_, why)) = &model.run.complaint {
-        return (why.clone(), Tone::Error);
+/// What there is to say about the newest edit, or about the chosen field, and how it looks.
+fn note(model: &AppModel, pane: usize) -> (String, fn(Theme) -> Style) {
+    let typed = model.form.typing.as_ref().and_then(|typing| typing.error.as_ref());
+    let refused = || model.run.complaint.as_ref().map(|(_, why)| why);
+    if let Some(why) = typed.or(model.form.complaint.as_ref()).or_else(refused) {
+        return (why.clone(), Theme::error);
     }
     match simulating(model) {
-        Some(text) => (text + ", Esc cancels", Tone::Warning),
-        None => (help(model, pane), Tone::Quiet),
+        Some(text) => (text + ", Esc cancels", Theme::warning),
+        None => (help(model, pane), Theme::quiet),
     }
 }
 
@@ -134,50 +118,45 @@ fn help(model: &AppModel, pane: usize) -> String {
 
 /// What there is to do in the chosen row.
 fn described(model: &AppModel) -> String {
-    match model.form.selected {
-        FormRow::Preset => "← → open the next preset, Enter lists them".to_owned(),
-        FormRow::Fold => "mesh, materials, numerics".to_owned(),
-        FormRow::Field(field) => {
-            let scenario = &model.work.scenario;
-            let pulse = pulse::described(scenario, field.path);
-            let accepted = match pulse {
-                Some(pulse) => format!("{pulse}; {}", allowed(scenario, field)),
-                None => allowed(scenario, field),
-            };
-            let mut said = format!("{}: {accepted}", field.help);
-            if model.work.scenario.doubt.contains_key(field.path) {
-                said = format!("F6 shows what its doubt does. {said}");
-            }
-            if is_unverified(&model.work.scenario, field) {
-                said = format!("{UNVERIFIED}. {said}");
-            }
-            said
-        }
+    let field = match model.form.selected {
+        FormRow::Preset => return "← → open the next preset, Enter lists them".to_owned(),
+        FormRow::Fold => return "mesh, materials, numerics".to_owned(),
+        FormRow::Field(field) => field,
+    };
+    let scenario = &model.work.scenario;
+    let mut accepted = allowed(scenario, field);
+    if let Some(pulse) = pulse::described(scenario, field.path) {
+        accepted = format!("{pulse}; {accepted}");
     }
+    let mut said = format!("{}: {accepted}", field.help);
+    if scenario.doubt.contains_key(field.path) {
+        said = format!("F6 shows what its doubt does. {said}");
+    }
+    if is_unverified(scenario, field) {
+        said = format!("{UNVERIFIED}. {said}");
+    }
+    said
 }
 
 fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let mark = if chosen && focused { "▸" } else { " " };
-    sheet.put((0, 0), mark, theme.strong());
-    let style = if chosen && focused { theme.strong() } else { theme.text() };
+    let scenario = &model.work.scenario;
+    let lit = chosen && focused;
+    sheet.put((0, 0), if lit { "▸" } else { " " }, theme.strong());
+    let style = if lit { theme.strong() } else { theme.text() };
     match row {
         FormRow::Preset => {
             let mark = if model.is_edited() { " *" } else { "" };
             let name = format!("{}{mark}", model.work.name());
             let name = fitted(&name, usize::from(area.width - 2));
             sheet.put((1, 0), label_within("Preset", &name, area.width), style);
-            value(&name, chosen && focused, sheet);
+            value(&name, lit, sheet);
         }
         FormRow::Fold => {
-            let count = FIELDS.len();
             let sign = if model.form.advanced { "▾" } else { "▸" };
-            let shown =
-                rows(&model.work.scenario, true).len() - rows(&model.work.scenario, false).len();
-            debug_assert!(shown < count);
-            let text = format!("{sign} Advanced ({shown} more)");
-            let style = if chosen && focused { theme.focus() } else { theme.text() };
-            sheet.put((1, 0), &text, style);
+            let more = rows(scenario, true).len() - rows(scenario, false).len();
+            let style = if lit { theme.focus() } else { theme.text() };
+            sheet.put((1, 0), format!("{sign} Advanced ({more} more)"), style);
         }
         FormRow::Field(field) => match &model.form.typing {
             Some(typing) if chosen => {
@@ -185,16 +164,15 @@ fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), she
                 typed(typing, sheet);
             }
             _ => {
-                let doubtful = is_unverified(&model.work.scenario, field);
-                let marked = if doubtful { 2 } else { 0 };
-                let room = area.width - marked;
+                let doubtful = is_unverified(scenario, field);
+                let room = area.width - if doubtful { 2 } else { 0 };
                 let text = fitted(&shown_value(model, field), usize::from(room - 2));
                 sheet.put((1, 0), label_within(field.label, &text, room), style);
                 if doubtful {
                     let right = area.width.saturating_sub(width(&text) + 1);
                     sheet.put_right((right, 0), "?", theme.warning());
                 }
-                value(&text, chosen && focused, sheet);
+                value(&text, lit, sheet);
             }
         },
     }
@@ -202,11 +180,9 @@ fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), she
 
 /// As many words of a label as there is room for beside a value.
 fn label_within<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
-    let ends = label.match_indices(' ').map(|(at, _)| &label[..at]);
-    let mut shorter: Vec<&str> = ends.chain([label]).collect();
-    shorter.reverse();
+    let shorter = label.rmatch_indices(' ').map(|(at, _)| &label[..at]);
     let fits = |text: &&str| 2 + width(text) + width(value) <= room;
-    shorter.into_iter().find(fits).unwrap_or("")
+    std::iter::once(label).chain(shorter).find(fits).unwrap_or("")
 }
 
 fn value(text: &str, lit: bool, sheet: &mut Sheet) {
@@ -218,17 +194,13 @@ fn value(text: &str, lit: bool, sheet: &mut Sheet) {
 /// A value with its unit, in a person's words.
 fn shown_value(model: &AppModel, field: &Field) -> String {
     let text = typed_text(field, &model.work.scenario).unwrap_or_default();
-    let text = match (&field.kind, text.as_str()) {
-        (Kind::OptionalNumber(..), "auto") => match &model.shown {
-            Some(shown) if field.path == "numerics.step_us" => {
-                format!("auto, {:.3}", shown.answer.plan.step * 1e6)
-            }
-            Some(shown) if field.path == "window_ms" => {
-                format!("auto, {:.1}", shown.answer.window() * 1e3)
-            }
+    let text = match (&field.kind, &text[..], &model.shown) {
+        (Kind::OptionalNumber(..), "auto", Some(shown)) => match field.path {
+            "numerics.step_us" => format!("auto, {:.3}", shown.answer.plan.step * 1e6),
+            "window_ms" => format!("auto, {:.1}", shown.answer.window() * 1e3),
             _ => text,
         },
-        (Kind::Choice(_), name) => in_words(name),
+        (Kind::Choice(_), name, _) => in_words(name),
         _ => text,
     };
     if field.unit.is_empty() { text } else { format!("{text} {}", field.unit) }
@@ -248,11 +220,9 @@ fn in_words(name: &str) -> String {
 /// `SmoothRectangle` as "smooth rectangle".
 fn spaced(name: &str) -> String {
     let mut text = String::new();
-    for (i, c) in name.chars().enumerate() {
-        if i > 0 && c.is_uppercase() {
+    for c in name.chars() {
+        if c.is_uppercase() && !text.is_empty() {
             text.push(' ');
-        }
-        if i > 0 {
             text.extend(c.to_lowercase());
         } else {
             text.push(c);

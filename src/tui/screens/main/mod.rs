@@ -7,6 +7,7 @@ mod traces;
 mod view;
 
 use ratatui::layout::Rect;
+use std::iter::successors;
 use std::mem::discriminant;
 
 use crate::scenario::fields::Field;
@@ -186,14 +187,9 @@ fn furthest(
         return whole;
     }
     let small = Step { coarse: false, ..step };
-    let mut reached: Option<Scenario> = None;
-    for _ in 0..MAX_SMALL_STEPS {
-        match nudged(reached.as_ref().unwrap_or(scenario), field, small, present) {
-            Ok(next) => reached = Some(next),
-            Err(_) => break,
-        }
-    }
-    reached.map_or(whole, Ok)
+    let further = |reached: &Scenario| nudged(reached, field, small, present).ok();
+    let steps = successors(further(scenario), further).take(MAX_SMALL_STEPS);
+    steps.last().map_or(whole, Ok)
 }
 
 impl Screen for Main {
@@ -243,7 +239,7 @@ impl Screen for Main {
                         let rows = if by.up { -1 } else { 1 };
                         model.form.move_cursor(&model.work.scenario, rows);
                     }
-                    None => self.step_time(model, by.reversed()),
+                    None => self.step(model, by.reversed()),
                 }
             }
         }

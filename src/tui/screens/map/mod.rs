@@ -3,16 +3,13 @@
 pub mod state;
 mod view;
 
-use ratatui::layout::Rect;
-
-use crate::many::map::Span;
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::screens::screen::{About, Mouse, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind, follow};
 use crate::tui::{changes::edit::change, form::words, keys::TimeKeys};
 use crate::tui::{model::AppModel, request::Report, step::Step, view::sheet::Sheet};
-use state::Map;
+use state::{DrawMap, Map};
 
 pub(super) const ABOUT: About = About {
     title: "Map",
@@ -28,14 +25,14 @@ impl Panes for Map {
 
 #[rustfmt::skip]
 const KEYS: PaneKeys<Map> = PaneKeys::new("Map", &[
-    bind(&[LEFT, c('h')], |s, _| s.step(Step::LESS, true), "cursor", "the cursor to the left"),
-    bind(&[RIGHT, c('l')], |s, _| s.step(Step::MORE, true), "&", "the cursor to the right"),
-    bind(&[UP, c('k')], |s, _| s.step(Step::MORE, false), "&", "the cursor up"),
-    bind(&[DOWN, c('j')], |s, _| s.step(Step::LESS, false), "&", "the cursor down"),
-    bind(&[SHIFT_LEFT, c('H')], |s, _| s.step(Step::MUCH_LESS, true), "", "the cursor far to the left"),
-    bind(&[SHIFT_RIGHT, c('L')], |s, _| s.step(Step::MUCH_MORE, true), "", "the cursor far to the right"),
-    bind(&[SHIFT_UP, c('K')], |s, _| s.step(Step::MUCH_MORE, false), "", "the cursor far up"),
-    bind(&[SHIFT_DOWN, c('J')], |s, _| s.step(Step::MUCH_LESS, false), "", "the cursor far down"),
+    bind(&[LEFT, c('h')], |s, _| s.move_cursor(Step::LESS, true), "cursor", "the cursor to the left"),
+    bind(&[RIGHT, c('l')], |s, _| s.move_cursor(Step::MORE, true), "&", "the cursor to the right"),
+    bind(&[UP, c('k')], |s, _| s.move_cursor(Step::MORE, false), "&", "the cursor up"),
+    bind(&[DOWN, c('j')], |s, _| s.move_cursor(Step::LESS, false), "&", "the cursor down"),
+    bind(&[SHIFT_LEFT, c('H')], |s, _| s.move_cursor(Step::MUCH_LESS, true), "", "the cursor far to the left"),
+    bind(&[SHIFT_RIGHT, c('L')], |s, _| s.move_cursor(Step::MUCH_MORE, true), "", "the cursor far to the right"),
+    bind(&[SHIFT_UP, c('K')], |s, _| s.move_cursor(Step::MUCH_MORE, false), "", "the cursor far up"),
+    bind(&[SHIFT_DOWN, c('J')], |s, _| s.move_cursor(Step::MUCH_LESS, false), "", "the cursor far down"),
     bind(&[ENTER], adopt, "use them", "give the scenario the values under the cursor"),
     bind(&[c('x')], |s, m| s.turn(&m.work.scenario, true), "across", "the next input across"),
     bind(&[c('X')], |s, m| s.turn(&m.work.scenario, false), "up", "the next input up"),
@@ -66,16 +63,8 @@ impl Screen for Map {
                 wanted = self.lacking(&model.work.scenario);
             }
         }
-        if let Some(job) = &self.task.job {
-            let asked = &job.question;
-            if wanted.as_ref().is_some_and(|wanted| wanted.is_of(asked)) {
-                return;
-            }
-            self.task.stop(None, &mut model.out);
-        }
-        if let Some(question) = wanted {
-            self.task.ask(question, &mut model.out);
-        }
+        let same = |a: &DrawMap, b: &DrawMap| (&a.scenario, a.spans) == (&b.scenario, b.spans);
+        follow(&mut self.task, wanted, same, &mut model.out);
     }
 
     fn take_report(&mut self, _: &mut AppModel, report: &mut Option<Report>) {
@@ -92,11 +81,8 @@ impl Screen for Map {
         self.task.stop(Some("stopped"), &mut model.out)
     }
 
-    fn mouse(&mut self, _: &mut AppModel, mouse: Mouse, _: Rect) -> bool {
-        if let Mouse::Wheel(_, step) = mouse {
-            self.step(step.reversed(), true);
-        }
-        false
+    fn step(&mut self, _: &mut AppModel, step: Step) {
+        self.move_cursor(step, true);
     }
 }
 
@@ -114,11 +100,8 @@ fn adopt(map: &mut Map, model: &mut AppModel) {
         model.notice = Some(words(&error));
         return;
     }
-    let part = |(span, value): &(Span, f64)| {
-        let text = format!("{} {value} {}", span.field.label, span.field.unit);
-        text.trim_end().to_owned()
-    };
-    let parts: Vec<String> = moved.iter().map(part).collect();
+    let parts = moved.iter().map(|(span, value)| view::named(*span, &value.to_string()));
+    let parts: Vec<String> = parts.collect();
     let work = model.work.with(scenario);
     change(model, work, "");
     if model.notice.is_none() {

@@ -1,7 +1,7 @@
 //! The map of two inputs as the app holds it: which inputs, what is known, where the cursor
 //! stands.
 
-use crate::many::map::{Grid, MapReading, SIDE, Span, fill};
+use crate::many::map::{Grid, SIDE, Span, fill};
 use crate::many::sweep::spaced;
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::doubt::number;
@@ -33,13 +33,6 @@ pub struct DrawMap {
     pub spans: [Span; 2],
     /// What is known already.
     pub known: Grid,
-}
-
-impl DrawMap {
-    /// Whether it is the same map, whatever is known of it.
-    pub fn is_of(&self, other: &Self) -> bool {
-        (&self.scenario, self.spans) == (&other.scenario, other.spans)
-    }
 }
 
 impl TaskQuestion for DrawMap {
@@ -100,20 +93,16 @@ fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> 
     // No farther than the model is trusted, unless the scenario itself goes nearly there.
     let trusted = scenario.trusted_angle_deg().filter(|_| field.path == ANGLE);
     let share = trusted.map(|trusted| trusted / value.abs());
-    let reach = match share.filter(|share| *share >= LEAST_SHARE) {
-        Some(share) => reach.min(share - 1.0),
-        None => reach,
-    };
-    let (from, to) = if value == 0.0 {
+    let far_enough = share.filter(|share| *share >= LEAST_SHARE);
+    let reach = far_enough.map_or(reach, |share| reach.min(share - 1.0));
+    let (a, b) = if value == 0.0 {
         let wide = STEPS * bounds.coarse * reach / REACH;
         (-wide, wide)
-    } else if value > 0.0 {
-        (value / (1.0 + reach), value * (1.0 + reach))
     } else {
-        (value * (1.0 + reach), value / (1.0 + reach))
+        (value / (1.0 + reach), value * (1.0 + reach))
     };
     let within = |v: f64| rounded(v).clamp(bounds.min, bounds.max);
-    let (from, to) = (within(from), within(to));
+    let (from, to) = (within(a.min(b)), within(a.max(b)));
     (from < to).then_some(Span { field, from, to })
 }
 
@@ -182,17 +171,17 @@ impl Map {
     pub fn zoom(&mut self, scenario: &Scenario, wider: bool) {
         let factor = if wider { ZOOM } else { 1.0 / ZOOM };
         self.reach = (self.reach * factor).clamp(REACHES.0, REACHES.1);
-        if let (Some(spans), Some(values)) = (self.spans, self.values()) {
-            let again = |old: Span| span(old.field, scenario, self.reach).unwrap_or(old);
-            let spans = spans.map(again);
-            self.spans = Some(spans);
-            self.cursor = [0, 1].map(|i| nearest(spans[i], values[i]));
-            self.task.complaint = None;
-        }
+        let (Some(spans), Some(values)) = (self.spans, self.values()) else {
+            return;
+        };
+        let spans = spans.map(|old| span(old.field, scenario, self.reach).unwrap_or(old));
+        self.spans = Some(spans);
+        self.cursor = [0, 1].map(|i| nearest(spans[i], values[i]));
+        self.task.complaint = None;
     }
 
     /// Moves the cursor: across, or up.
-    pub fn step(&mut self, step: Step, across: bool) {
+    pub fn move_cursor(&mut self, step: Step, across: bool) {
         let by = if step.coarse { 4 } else { 1 };
         let by = if step.up { by } else { -by };
         let at = &mut self.cursor[usize::from(!across)];
@@ -246,11 +235,6 @@ impl Map {
         self.chosen = next.or(Some(here));
     }
 
-    /// What is known of a result under the cursor.
-    pub fn reading(&self, grid: &Grid, quantity: Quantity) -> Option<MapReading> {
-        grid.read(quantity, self.place())
-    }
-
     /// The inputs that the cursor was moved over, away from what the scenario holds, each with its
     /// value there, and the scenario with those.
     pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
@@ -276,11 +260,16 @@ mod tests {
     use crate::many::map::Spot;
     use crate::run::readings::PerQuantity;
 
+    /// The scenario that the app begins with, and its map.
+    fn settled() -> (Scenario, Map) {
+        let (scenario, mut map) = (Scenario::default(), Map::default());
+        map.settle(&scenario);
+        (scenario, map)
+    }
+
     #[test]
     fn inputs_follow_the_scenario_and_go_round_without_meeting() {
-        let scenario = Scenario::default();
-        let mut map = Map::default();
-        map.settle(&scenario);
+        let (scenario, mut map) = settled();
         let [x, y] = map.spans.unwrap();
         assert_eq!((x.field.path, y.field.path), ("impact.force_n", "impact.duration_ms"));
         assert_eq!((x.from, x.to), (100.0, 900.0));
@@ -294,16 +283,14 @@ mod tests {
 
     #[test]
     fn the_cursor_begins_on_what_the_scenario_holds_and_keeps_its_values_when_ranges_change() {
-        let scenario = Scenario::default();
-        let mut map = Map::default();
-        map.settle(&scenario);
+        let (scenario, mut map) = settled();
         let near = |map: &Map, force: f64| {
             let [x, _] = map.spans.unwrap();
             let step = (x.to - x.from) / (SIDE - 1) as f64;
             assert!((map.values().unwrap()[0] - force).abs() <= 0.51 * step);
         };
         near(&map, 300.0);
-        map.step(Step::MUCH_MORE, true);
+        map.move_cursor(Step::MUCH_MORE, true);
         let force = map.values().unwrap()[0];
         map.zoom(&scenario, true);
         near(&map, force);
@@ -313,31 +300,22 @@ mod tests {
 
     #[test]
     fn ranges_stay_within_bounds_however_wide() {
-        let scenario = Scenario::default();
-        let mut map = Map::default();
-        map.settle(&scenario);
+        let (scenario, mut map) = settled();
         map.turn(&scenario, false);
-        for wider in [true, false] {
-            for _ in 0..30 {
-                map.zoom(&scenario, wider);
-                let [x, y] = map.spans.unwrap();
-                for span in [x, y] {
-                    let (_, bounds) = number(span.field, &scenario).unwrap();
-                    assert!(
-                        bounds.min <= span.from && span.from < span.to && span.to <= bounds.max
-                    );
-                }
+        for wider in [true; 30].into_iter().chain([false; 30]) {
+            map.zoom(&scenario, wider);
+            for span in map.spans.unwrap() {
+                let (_, bounds) = number(span.field, &scenario).unwrap();
+                assert!(bounds.min <= span.from && span.from < span.to && span.to <= bounds.max);
             }
         }
     }
 
     #[test]
     fn only_inputs_that_the_cursor_was_moved_over_are_adopted() {
-        let scenario = Scenario::default();
-        let mut map = Map::default();
-        map.settle(&scenario);
+        let (scenario, mut map) = settled();
         assert_eq!(map.adopted(&scenario), Some((Vec::new(), scenario.clone())));
-        map.step(Step::MORE, true);
+        map.move_cursor(Step::MORE, true);
         let (moved, adopted) = map.adopted(&scenario).unwrap();
         assert_eq!(moved.len(), 1);
         let value = |path| number(find(path).unwrap(), &adopted).unwrap().0;
@@ -347,9 +325,7 @@ mod tests {
 
     #[test]
     fn an_edit_of_an_input_keeps_the_map_and_any_other_does_not() {
-        let mut scenario = Scenario::default();
-        let mut map = Map::default();
-        map.settle(&scenario);
+        let (mut scenario, mut map) = settled();
         let question = map.lacking(&scenario).unwrap();
         let damage = |q| (q == Quantity::Damage).then_some(1.0);
         let mut grid = question.known.clone();
@@ -361,7 +337,7 @@ mod tests {
         let (moved, adopted) = map.adopted(&scenario).unwrap();
         assert!(moved.len() == 2 && adopted != scenario);
         let grid = map.grid(&adopted).unwrap();
-        let reading = map.reading(grid, map.quantity(grid)).unwrap();
+        let reading = grid.read(map.quantity(grid), map.place()).unwrap();
         assert_eq!((reading.value, reading.exact), (Some(1.0), true));
         let left = map.lacking(&adopted).unwrap();
         assert_eq!(left.known.known().0, 81, "it goes on from there");
