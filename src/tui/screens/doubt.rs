@@ -15,17 +15,10 @@ use crate::report::{figure::allowing, risks::range};
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, MANY, RunSamples, is_whole, shown_band, widened};
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind, state_of_work};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, state_of_work};
 use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences};
 use crate::tui::view::{sheet::Sheet, theme::Theme};
 use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, task::Job};
-
-pub(super) const ABOUT: About = About {
-    title: "Doubt",
-    question: "How sure?",
-    purpose: "what the doubt in the inputs does",
-    new: || Box::new(Doubt::default()),
-};
 
 /// The place of the result whose band is explained.
 #[derive(Default)]
@@ -58,7 +51,57 @@ const STOPPED_KEYS: PaneKeys<Doubt> = PaneKeys::when(
 
 impl Screen for Doubt {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
-        draw(self.row, model, sheet);
+        let (area, theme) = (sheet.area, sheet.theme);
+        let (said, style) = status(model, theme);
+        let titles = [
+            "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
+            "How sure? 5 to 95 %, risks 10 to 90 %",
+            "How sure?",
+        ];
+        sheet.put_both((&titles, theme.heading()), (&said, style));
+        // Bands of another scenario would be taken for those of this one.
+        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
+            let complaint = model.ensemble.complaint(&model.work.scenario);
+            let texts = match &model.ensemble.task.job {
+                Some(job) => waiting(model, job),
+                None => vec![complaint.unwrap_or("not known yet: m runs the samples").to_owned()],
+            };
+            let mut y = 2;
+            for text in &texts {
+                y = 1 + sheet.put_wrapped((1, y), text, theme.text());
+            }
+            return;
+        };
+        let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
+        let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
+        let results = listed(ensemble);
+        let chosen = self.row.min(results.len().saturating_sub(1));
+        heading(sheet);
+        let room = usize::from(area.width - 2);
+        let notes = notes(ensemble, answer);
+        // The step error alone is said only where there is room.
+        let needed = &notes[..notes.len().max(2) - 1];
+        let least = whole_sentences(needed, room, NOTES.max(area.height / 6).into()).len();
+        // The results scroll where the notes and what drives the chosen one would find no room.
+        let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
+        let shown = results.len().min(free);
+        let first = (chosen + 1).saturating_sub(shown);
+        for (row, of) in results.iter().skip(first).take(shown).enumerate() {
+            let of = (*of, first + row == chosen);
+            result((ensemble, answer), of, &mut sheet.row(2 + row as u16));
+        }
+        sheet.put((1, 1), seen(first, shown, results.len()), theme.quiet());
+        let gap = u16::from(shown < free);
+        let top = 2 + shown as u16 + gap;
+        let below = area.height.saturating_sub(top);
+        let rows = usize::from(below.saturating_sub(DRIVERS)).max(least);
+        let notes = whole_sentences(&notes, room, rows);
+        let kept = notes.len() as u16;
+        if let Some(of) = results.get(chosen) {
+            let size = (area.width, below.saturating_sub(kept));
+            drivers(ensemble, *of, &mut sheet.part((0, top), size));
+        }
+        sheet.put_lines((1, area.height.saturating_sub(kept)), &notes, theme.quiet());
     }
 
     fn samples(&self) -> u32 {
@@ -92,60 +135,6 @@ const DRIVERS: u16 = 4;
 const NOTES: u16 = 4;
 /// The share of the range that is left free at both ends of a scale.
 const MARGIN: f64 = 0.06;
-
-fn draw(row: usize, model: &AppModel, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let (said, style) = status(model, theme);
-    let titles = [
-        "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
-        "How sure? 5 to 95 %, risks 10 to 90 %",
-        "How sure?",
-    ];
-    sheet.put_both((&titles, theme.heading()), (&said, style));
-    // Bands of another scenario would be taken for those of this one.
-    let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
-        let complaint = model.ensemble.complaint(&model.work.scenario);
-        let texts = match &model.ensemble.task.job {
-            Some(job) => waiting(model, job),
-            None => vec![complaint.unwrap_or("not known yet: m runs the samples").to_owned()],
-        };
-        let mut y = 2;
-        for text in &texts {
-            y = 1 + sheet.put_wrapped((1, y), text, theme.text());
-        }
-        return;
-    };
-    let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
-    let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
-    let results = listed(ensemble);
-    let chosen = row.min(results.len().saturating_sub(1));
-    heading(sheet);
-    let room = usize::from(area.width - 2);
-    let notes = notes(ensemble, answer);
-    // The step error alone is said only where there is room.
-    let needed = &notes[..notes.len().max(2) - 1];
-    let least = whole_sentences(needed, room, NOTES.max(area.height / 6).into()).len();
-    // The results scroll where the notes and what drives the chosen one would find no room.
-    let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
-    let shown = results.len().min(free);
-    let first = (chosen + 1).saturating_sub(shown);
-    for (row, of) in results.iter().skip(first).take(shown).enumerate() {
-        let of = (*of, first + row == chosen);
-        result((ensemble, answer), of, &mut sheet.row(2 + row as u16));
-    }
-    sheet.put((1, 1), seen(first, shown, results.len()), theme.quiet());
-    let gap = u16::from(shown < free);
-    let top = 2 + shown as u16 + gap;
-    let below = area.height.saturating_sub(top);
-    let rows = usize::from(below.saturating_sub(DRIVERS)).max(least);
-    let notes = whole_sentences(&notes, room, rows);
-    let kept = notes.len() as u16;
-    if let Some(of) = results.get(chosen) {
-        let size = (area.width, below.saturating_sub(kept));
-        drivers(ensemble, *of, &mut sheet.part((0, top), size));
-    }
-    sheet.put_lines((1, area.height.saturating_sub(kept)), &notes, theme.quiet());
-}
 
 /// The results that have bands: first the risks, the gravest first, which are the answer.
 fn listed(ensemble: &Ensemble) -> Vec<Quantity> {

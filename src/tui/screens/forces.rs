@@ -4,7 +4,7 @@ use crate::report::figure::at_a_moment;
 use crate::run::trace::{TRACES, Trace};
 use crate::run::{kept::Traces, quantity::Quantity, result_trace::Group};
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
-use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, mark, value_at};
 use crate::tui::view::{below, raster::Ink, sheet::Sheet, text::width};
 use crate::tui::{
@@ -91,13 +91,6 @@ fn views(traces: &Traces) -> Vec<View> {
     views
 }
 
-pub(super) const ABOUT: About = About {
-    title: "Forces",
-    question: "When and how hard?",
-    purpose: "the force profiles",
-    new: || Box::new(Forces::default()),
-};
-
 impl Panes for Forces {
     const PANES: &'static [Pane<Self>] = &[Pane::new("forces", TimeKeys::Early, &[KEYS])];
 }
@@ -116,7 +109,44 @@ const KEYS: PaneKeys<Forces> = PaneKeys::new("Forces", &[
 
 impl Screen for Forces {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
-        draw(*self, model, sheet);
+        let (area, theme) = (sheet.area, sheet.theme);
+        let Some(shown) = &model.shown else {
+            sheet.put((1, 1), "no result yet", theme.text());
+            return;
+        };
+        let time = model.time();
+        let views = views_of(model);
+        let place = self.view % views.len().max(1);
+        let view = views.get(place);
+        let (said, style) = match (model.stale(), view) {
+            (Some(why), _) => (why.to_owned(), theme.warning()),
+            (None, Some(view)) => {
+                let of = views.len();
+                (format!("v: {}, {} of {of}", view.name, place + 1), theme.heading())
+            }
+            (None, None) => (String::new(), theme.quiet()),
+        };
+        let mut text = format!(" cursor {:.4} ms", time * 1e3);
+        let room = area.width.saturating_sub(width(&text) + width(&said) + 4);
+        if let Some(peak) = peak_said(&shown.answer, time, |peak| width(peak) < room) {
+            text.extend(["  ", &peak]);
+        }
+        sheet.put((0, 0), &text, theme.strong());
+        sheet.put_right((area.width - 1, 0), &said, style);
+        let (Some(traces), Some(view)) = (&shown.answer.run.traces, view) else {
+            return;
+        };
+        let grid = match view.charts.len() {
+            1 => (1, 1),
+            2 => (1, 2),
+            _ => (2, 2),
+        };
+        let mut charts = sheet.at(below(area, 1));
+        for (i, curves) in view.charts.iter().enumerate() {
+            let place = &mut charts.tile(i, grid);
+            place.area.width -= 1;
+            chart(model, self.zoom, (shown, traces), curves, place);
+        }
     }
 
     fn courses(&self, model: &AppModel) -> Vec<Trace> {
@@ -142,47 +172,6 @@ impl Forces {
 fn views_of(model: &AppModel) -> Vec<View> {
     let traces = model.shown.as_ref().and_then(|s| s.answer.run.traces.as_ref());
     traces.map(views).unwrap_or_default()
-}
-
-fn draw(forces: Forces, model: &AppModel, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let Some(shown) = &model.shown else {
-        sheet.put((1, 1), "no result yet", theme.text());
-        return;
-    };
-    let time = model.time();
-    let views = views_of(model);
-    let place = forces.view % views.len().max(1);
-    let view = views.get(place);
-    let (said, style) = match (model.stale(), view) {
-        (Some(why), _) => (why.to_owned(), theme.warning()),
-        (None, Some(view)) => {
-            let of = views.len();
-            (format!("v: {}, {} of {of}", view.name, place + 1), theme.heading())
-        }
-        (None, None) => (String::new(), theme.quiet()),
-    };
-    let mut text = format!(" cursor {:.4} ms", time * 1e3);
-    let room = area.width.saturating_sub(width(&text) + width(&said) + 4);
-    if let Some(peak) = peak_said(&shown.answer, time, |peak| width(peak) < room) {
-        text.extend(["  ", &peak]);
-    }
-    sheet.put((0, 0), &text, theme.strong());
-    sheet.put_right((area.width - 1, 0), &said, style);
-    let (Some(traces), Some(view)) = (&shown.answer.run.traces, view) else {
-        return;
-    };
-    let grid = match view.charts.len() {
-        1 => (1, 1),
-        2 => (1, 2),
-        _ => (2, 2),
-    };
-    let mut charts = sheet.at(below(area, 1));
-    for (i, curves) in view.charts.iter().enumerate() {
-        let place = &mut charts.tile(i, grid);
-        place.area.width -= 1;
-        chart(model, forces.zoom, (shown, traces), curves, place);
-    }
 }
 
 fn chart(

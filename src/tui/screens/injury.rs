@@ -8,25 +8,20 @@ use crate::report::format::capital;
 use crate::report::risks::{basis, first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
 use crate::tui::view::{eye::EyePicture, fundus::Fundus, sheet::Sheet};
 use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below};
 
+/// What the screen answers.
+pub(super) const QUESTION: &str = "What is hurt?";
 /// Columns that the screen takes at most: longer bars are no easier to read.
 const WIDEST: u16 = 120;
 /// Columns beside it from which on there is room for the eye.
 const PICTURED: u16 = 40;
 /// Rows of what explains the chosen injury, at least.
 const EXPLAINED: u16 = 2;
-
-pub(super) const ABOUT: About = About {
-    title: "Injury",
-    question: "What is hurt?",
-    purpose: "the risk of each injury and what it rests on",
-    new: || Box::new(Injuries::default()),
-};
 
 /// The place of the injury that is explained, and what is shown.
 #[derive(Default)]
@@ -151,7 +146,7 @@ fn above(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
-        None => (ABOUT.question, theme.heading()),
+        None => (QUESTION, theme.heading()),
     };
     if end + width(right) + 2 < area.width {
         sheet.put_right((area.width - 1, last), right, style);

@@ -10,7 +10,7 @@ use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
 use crate::tui::clock::{MeshDetail, peak_said};
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::screens::screen::{About, Act, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Act, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::chart::{TimeCurve, fill, value_at};
 use crate::tui::view::heat::{heat_glyph, thresholds};
 use crate::tui::view::picture::{NAMED, swatch};
@@ -24,13 +24,6 @@ use crate::tui::{terminal::caps::Symbols, view::eye::EyePicture};
 const TALL: u16 = 30;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
-
-pub(super) const ABOUT: About = About {
-    title: "Replay",
-    question: "What moved?",
-    purpose: "the replay in full size",
-    new: || Box::new(Replay::default()),
-};
 
 /// What the screen keeps to itself.
 #[derive(Default)]
@@ -69,7 +62,32 @@ impl<S: Screen> FrameKeys for S {}
 
 impl Screen for Replay {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
-        draw(self.front, model, sheet);
+        let (area, theme) = (sheet.area, sheet.theme);
+        let Some(shown) = &model.shown else {
+            sheet.put((1, 1), "no result yet", theme.text());
+            return;
+        };
+        let (wide, high) = (area.width - SIDE, area.height - 3);
+        let drawn = EyePicture {
+            blow: Some(&shown.scenario),
+            front: self.front,
+            ..EyePicture::of(model, shown, model.time())
+        };
+        let anatomy = drawn.detail == MeshDetail::Anatomy;
+        // What reaches the edge does not touch the legend.
+        let field = sheet.part((0, 0), (wide - 1, high));
+        drawn.draw(field.area, field.buffer);
+        if model.clock.zoom() > 1 && !anatomy {
+            let text = format!(" motion shown {}x larger ", model.clock.zoom());
+            sheet.put((2, 0), text, theme.warning());
+        }
+        if let Some(why) = model.stale() {
+            let text = format!(" {why} ");
+            sheet.put((0, high - 2), text, theme.warning());
+        }
+        let front = anatomy.then_some(self.front);
+        side_panel(model, shown, front, &mut sheet.part((wide, 0), (SIDE, high)));
+        time_bar(model, shown, &mut sheet.part((0, high), (area.width, 3)));
     }
 }
 
@@ -94,35 +112,6 @@ impl Replay {
 fn change_field(model: &mut AppModel) {
     let object = model.shown.as_ref().and_then(|shown| shown.drawing.object.as_ref());
     model.clock.change_field(object.is_some());
-}
-
-fn draw(front: bool, model: &AppModel, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let Some(shown) = &model.shown else {
-        sheet.put((1, 1), "no result yet", theme.text());
-        return;
-    };
-    let (wide, high) = (area.width - SIDE, area.height - 3);
-    let drawn = EyePicture {
-        blow: Some(&shown.scenario),
-        front,
-        ..EyePicture::of(model, shown, model.time())
-    };
-    let anatomy = drawn.detail == MeshDetail::Anatomy;
-    // What reaches the edge does not touch the legend.
-    let field = sheet.part((0, 0), (wide - 1, high));
-    drawn.draw(field.area, field.buffer);
-    if model.clock.zoom() > 1 && !anatomy {
-        let text = format!(" motion shown {}x larger ", model.clock.zoom());
-        sheet.put((2, 0), text, theme.warning());
-    }
-    if let Some(why) = model.stale() {
-        let text = format!(" {why} ");
-        sheet.put((0, high - 2), text, theme.warning());
-    }
-    let front = anatomy.then_some(front);
-    side_panel(model, shown, front, &mut sheet.part((wide, 0), (SIDE, high)));
-    time_bar(model, shown, &mut sheet.part((0, high), (area.width, 3)));
 }
 
 fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, sheet: &mut Sheet) {

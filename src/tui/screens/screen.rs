@@ -27,6 +27,17 @@ pub struct About {
     pub new: fn() -> Box<dyn Screen>,
 }
 
+impl About {
+    /// A screen with this title, this question and this purpose.
+    pub const fn new<S: Screen + Default>(
+        title: &'static str,
+        question: &'static str,
+        purpose: &'static str,
+    ) -> Self {
+        Self { title, question, purpose, new: || Box::new(S::default()) }
+    }
+}
+
 /// What the mouse does on a screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mouse {

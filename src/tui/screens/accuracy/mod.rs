@@ -17,23 +17,16 @@ use crate::scenario::{NumericsInput, Scenario};
 use crate::tui::keys::press::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::overlay::{Overlay, Prompt};
 use crate::tui::request::{Report, TaskQuestion};
-use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind, follow};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow};
 use crate::tui::{changes::edit::adopt, ensemble, keys::TimeKeys, model::AppModel};
 use crate::tui::{step::Step, task::Task, view::sheet::Sheet};
-
-pub(super) const ABOUT: About = About {
-    title: "Accuracy",
-    question: "How exact, at what cost?",
-    purpose: "how much less error costs how much time",
-    new: || Box::new(Measurement::default()),
-};
 
 impl Panes for Measurement {
     const PANES: &'static [Pane<Self>] = &[Pane::new("points", TimeKeys::Absent, &[KEYS])];
 }
 
 #[rustfmt::skip]
-const KEYS: PaneKeys<Measurement> = PaneKeys::new(ABOUT.title, &[
+const KEYS: PaneKeys<Measurement> = PaneKeys::new("Accuracy", &[
     bind(&[LEFT, c('h')], |s, m| s.step(m, Step::LESS), "point", "the next faster point"),
     bind(&[RIGHT, c('l')], |s, m| s.step(m, Step::MORE), "&", "the next slower point"),
     bind(&[ENTER], Measurement::adopt_chosen, "use it", "compute the blow with its level, integrator and step"),

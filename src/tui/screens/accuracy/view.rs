@@ -25,7 +25,6 @@ const LEAST: (u16, u16) = (20, 4);
 /// Errors below this, in %, are drawn there: they are rounding.
 const FLOOR: f64 = 1e-9;
 
-/// Draws the screen.
 pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let scenario = &model.work.scenario;

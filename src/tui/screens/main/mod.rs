@@ -18,22 +18,17 @@ use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::{changes::edit::change, ensemble::FEW};
 use crate::tui::{model::AppModel, step::Step, view::eye, view::sheet::Sheet};
 use form::{DIAL, FORM};
 
+/// What the screen answers.
+pub(super) const QUESTION: &str = "How bad?";
 /// Small steps in place of a large one, at most.
 const MAX_SMALL_STEPS: usize = 20;
 const ANGLE: &str = "impact.angle_deg";
 const HALF_WIDTH: &str = "impact.half_width_deg";
-
-pub(super) const ABOUT: About = About {
-    title: "Main",
-    question: score::QUESTION,
-    purpose: "form, injuries, eye, curves",
-    new: || Box::new(Main::default()),
-};
 
 /// The place of the pane with the focus, and what is drawn over time.
 #[derive(Default)]

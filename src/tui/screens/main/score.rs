@@ -6,12 +6,10 @@ use crate::injury::Term;
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::{format::digits, limit::alone, risks::first_line};
 use crate::run::quantity::Quantity;
+use crate::tui::screens::main::QUESTION;
 use crate::tui::view::risks::{comes, limits, rows};
 use crate::tui::view::text::longest_fitting;
 use crate::tui::{model::AppModel, shown::ShownAnswer, view::sheet::Sheet};
-
-/// What the screen answers.
-pub const QUESTION: &str = "How bad?";
 
 /// A bar of a share of its width, the threshold at its end.
 fn bar(share: f64, sheet: &mut Sheet) {

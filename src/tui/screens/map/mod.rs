@@ -6,17 +6,10 @@ mod view;
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind, follow};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow};
 use crate::tui::{changes::edit::change, form::words, keys::TimeKeys};
 use crate::tui::{model::AppModel, request::Report, step::Step, view::sheet::Sheet};
 use state::{DrawMap, Map};
-
-pub(super) const ABOUT: About = About {
-    title: "Map",
-    question: "What if?",
-    purpose: "a result over two inputs",
-    new: || Box::new(Map::default()),
-};
 
 impl Panes for Map {
     const PANES: &'static [Pane<Self>] =

@@ -38,7 +38,6 @@ const BELOW: u16 = 5;
 /// runs.
 const MAPPED: f64 = 10.0;
 
-/// Draws the screen.
 pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let Some(spans @ [x, y]) = map.spans else {
