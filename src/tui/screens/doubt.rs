@@ -15,7 +15,7 @@ use crate::report::{figure::allowing, risks::range};
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, MANY, RunSamples, is_whole, shown_band, widened};
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, state_of_work};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, go_on, state_of_work};
 use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences};
 use crate::tui::view::{sheet::Sheet, theme::Theme};
 use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, task::Job};
@@ -37,17 +37,9 @@ const KEYS: PaneKeys<Doubt> = PaneKeys::new("Doubt", &[
     bind(&[DOWN, c('j')], |s, m| s.move_cursor(m, 1), "&", "the result below"),
 ]);
 
-/// Once Esc has stopped it.
-const STOPPED_KEYS: PaneKeys<Doubt> = PaneKeys::when(
-    |_, model| model.ensemble.complaint(&model.work.scenario).is_some(),
-    "Doubt: stopped",
-    &[bind(
-        &[c('m')],
-        |_, m| m.ensemble.task.complaint = None,
-        "go on",
-        "go on where Esc stopped it",
-    )],
-);
+const STOPPED_KEYS: PaneKeys<Doubt> =
+    PaneKeys::<Doubt>::new("Doubt: stopped", &[go_on(|_, m| m.ensemble.task.complaint = None)])
+        .when(|_, model| model.ensemble.complaint(&model.work.scenario).is_some());
 
 impl Screen for Doubt {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {

@@ -9,10 +9,11 @@ use ratatui::style::Style;
 
 use crate::run::trace::Trace;
 use crate::scenario::Scenario;
+use crate::tui::keys::press::{Press, c};
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
 use crate::tui::request::{Report, TaskQuestion};
-use crate::tui::{keys::press::Press, outbox::Outbox, shown::ShownAnswer, step::Step, task::Task};
+use crate::tui::{outbox::Outbox, shown::ShownAnswer, step::Step, task::Task};
 use crate::tui::{view::sheet::Sheet, view::theme::Theme, work::Work};
 
 /// What there is to know of a screen before it is opened.
@@ -175,33 +176,33 @@ pub const fn bind<S>(
     short: &'static str,
     help: &'static str,
 ) -> Binding<Act<S>> {
-    let key = Key::new(presses, short, help);
-    Binding { key, act }
+    Binding { key: Key::new(presses, short, help), act }
+}
+
+const GO_ON: &[Press] = &[c('m')];
+
+/// The key that goes on with what Esc has stopped.
+pub const fn go_on<S>(act: Act<S>) -> Binding<Act<S>> {
+    bind(GO_ON, act, "go on", "go on where Esc stopped it")
 }
 
 /// Keys of a pane, and when they count there.
-#[derive(Clone, Copy)]
 pub struct PaneKeys<S: 'static> {
-    /// The keys.
-    pub table: KeyTable<Act<S>>,
-    /// Whether they count now.
-    pub counts: fn(&S, &AppModel) -> bool,
+    table: KeyTable<Act<S>>,
+    counts: fn(&S, &AppModel) -> bool,
 }
 
 impl<S> PaneKeys<S> {
     /// Keys that always count where their pane has the focus.
     pub const fn new(title: &'static str, bindings: &'static [Binding<Act<S>>]) -> Self {
-        Self::when(|_, _| true, title, bindings)
+        Self { table: KeyTable::new(title, bindings), counts: |_, _| true }
     }
 
-    /// Keys that count there at times.
-    pub const fn when(
-        counts: fn(&S, &AppModel) -> bool,
-        title: &'static str,
-        bindings: &'static [Binding<Act<S>>],
-    ) -> Self {
-        let table = KeyTable::new(title, bindings);
-        Self { table, counts }
+    /// These keys where they count at times.
+    #[must_use]
+    pub const fn when(mut self, counts: fn(&S, &AppModel) -> bool) -> Self {
+        self.counts = counts;
+        self
     }
 }
 
@@ -219,6 +220,12 @@ impl<S> Pane<S> {
     /// A pane with these.
     pub const fn new(name: &'static str, time: TimeKeys, keys: &'static [PaneKeys<S>]) -> Self {
         Self { name, keys, time }
+    }
+
+    /// Its tables of keys that count now.
+    fn now(&self, screen: &S, model: &AppModel) -> impl Iterator<Item = &'static KeyTable<Act<S>>> {
+        let now = self.keys.iter().filter(|keys| (keys.counts)(screen, model));
+        now.map(|keys| &keys.table)
     }
 }
 
@@ -272,15 +279,12 @@ impl<S: Screen + Panes> Keyed for S {
     }
 
     fn keys_now(&self, model: &AppModel) -> Vec<KeyList> {
-        let own = S::PANES[self.pane()].keys.iter();
-        let now = own.filter(|keys| (keys.counts)(self, model));
-        now.map(|keys| keys.table.list()).collect()
+        S::PANES[self.pane()].now(self, model).map(KeyTable::list).collect()
     }
 
     fn press(&mut self, model: &mut AppModel, event: KeyEvent) -> KeyOutcome {
-        let own = S::PANES[self.pane()].keys.iter();
-        let mut now = own.filter(|keys| (keys.counts)(self, model));
-        let Some(binding) = now.find_map(|keys| keys.table.find(&model.keys, event)) else {
+        let find = |table: &KeyTable<Act<S>>| table.find(&model.keys, event);
+        let Some(binding) = S::PANES[self.pane()].now(self, model).find_map(find) else {
             return KeyOutcome::Unknown;
         };
         if binding.key.begins_value {

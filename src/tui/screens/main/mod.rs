@@ -62,22 +62,16 @@ const fn typed(
     binding
 }
 
-const NUMBER_KEYS: PaneKeys<Main> = PaneKeys::when(
-    |_, model| model.form.takes_numbers(),
-    "Form: a number",
-    &[typed(NUMERALS, "type", "begin to type a value")],
-);
+const NUMBER_KEYS: PaneKeys<Main> =
+    PaneKeys::new("Form: a number", &[typed(NUMERALS, "type", "begin to type a value")])
+        .when(|_, model| model.form.takes_numbers());
 
 /// A digit never leaves the form: whoever types one means a value.
-const OTHER_KEYS: PaneKeys<Main> = PaneKeys::when(
-    |_, model| !model.form.takes_numbers(),
-    "Form: another row",
-    &[typed(
-        NUMERALS.first_chunk::<10>().unwrap().as_slice(),
-        "",
-        "nothing: F2 or Alt-2 shows a screen",
-    )],
-);
+const OTHER_KEYS: PaneKeys<Main> =
+    PaneKeys::new("Form: another row", &[NO_VALUE]).when(|_, model| !model.form.takes_numbers());
+
+const NO_VALUE: Binding<Act<Main>> =
+    typed(NUMERALS.split_at(10).0, "", "nothing: F2 or Alt-2 shows a screen");
 
 #[rustfmt::skip]
 const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
@@ -207,38 +201,32 @@ impl Screen for Main {
     /// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, area: Rect) -> bool {
         let parts = view::layout(area, model.form.advanced);
-        let row_at = |model: &AppModel, pane: usize, (x, y): (u16, u16)| {
-            let rows = form::visible(model, pane, parts.form);
-            let inside = parts.form.contains((x, y).into());
-            inside.then(|| rows.get(usize::from(y - parts.form.y)).copied())
-        };
+        let (Mouse::Press(at) | Mouse::Drag(at) | Mouse::Wheel(at, _)) = mouse;
+        let in_form = parts.form.contains(at.into());
         match mouse {
-            Mouse::Press(at) => {
-                if let Some(row) = row_at(model, self.pane, at) {
-                    self.press_row(model, row);
-                }
-                let on_dial = parts.eye.contains(at.into());
-                if on_dial {
-                    self.pane = DIAL;
-                    aim(model, at, parts.eye);
-                }
-                return on_dial;
+            Mouse::Press(_) if in_form => {
+                let rows = form::visible(model, self.pane, parts.form);
+                self.press_row(model, rows.get(usize::from(at.1 - parts.form.y)).copied());
             }
-            Mouse::Drag(at) => aim(model, at, parts.eye),
+            Mouse::Press(_) if parts.eye.contains(at.into()) => {
+                self.pane = DIAL;
+                aim(model, at, parts.eye);
+                return true;
+            }
+            Mouse::Press(_) => {}
+            Mouse::Drag(_) => aim(model, at, parts.eye),
             // Up is more of a value, and backwards in a list and in time.
-            Mouse::Wheel(at, by) => {
+            Mouse::Wheel(_, by) => {
                 model.form.complaint = None;
-                match row_at(model, self.pane, at) {
+                if in_form {
                     // A wheel that scrolls must not change what it passes over.
-                    Some(_) => {
-                        let rows = if by.up { -1 } else { 1 };
-                        model.form.move_cursor(&model.work.scenario, rows);
-                    }
-                    None => self.step(model, by.reversed()),
+                    model.form.move_cursor(&model.work.scenario, if by.up { -1 } else { 1 });
+                } else {
+                    self.step(model, by.reversed());
                 }
             }
         }
-        true
+        false
     }
 }
 

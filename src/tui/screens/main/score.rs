@@ -6,9 +6,9 @@ use crate::injury::Term;
 use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unusable};
 use crate::report::{format::digits, limit::alone, risks::first_line};
 use crate::run::quantity::Quantity;
-use crate::tui::screens::main::QUESTION;
 use crate::tui::view::risks::{comes, limits, rows};
 use crate::tui::view::text::longest_fitting;
+use crate::tui::{ensemble::is_whole, screens::main::QUESTION};
 use crate::tui::{model::AppModel, shown::ShownAnswer, view::sheet::Sheet};
 
 /// A bar of a share of its width, the threshold at its end.
@@ -120,16 +120,15 @@ fn gauges(shown: &ShownAnswer, sheet: &mut Sheet) {
 
 /// The parts of the index, how many times its limit each is, long and short.
 fn brief(shown: &ShownAnswer) -> [String; 2] {
-    let said = |name: fn(Quantity) -> &'static str| {
+    let said = |name: fn(Quantity) -> &'static str, between: &str| {
         let times = PARTS.iter().filter_map(|(of, term)| {
             let times = digits(shown.answer.result(*of)? / term.threshold, 2);
             Some(format!("{} {times}", name(*of)))
         });
-        times.collect::<Vec<_>>().join(", ")
+        times.collect::<Vec<_>>().join(between)
     };
-    let long = said(|of| of.row().label);
-    let short = said(|of| of.row().short);
-    [format!("{long} times its limit"), short.replace(',', "")]
+    let long = said(|of| of.row().label, ", ");
+    [format!("{long} times its limit"), said(|of| of.row().short, " ")]
 }
 
 /// Between what nine in ten samples of the inputs have the index where no risk has a range, the
@@ -151,13 +150,11 @@ fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
     };
     let end = |value| allowing(value, Some(0.1 * (band.high - band.low)));
     let within = format!("{} to {}", end(band.low), end(band.high));
-    let (held, folded) = (ensemble.valid().count(), ensemble.folded());
-    let (mark, reason) = if held < ensemble.asked as usize {
-        ("*", format!("{held} of {}", ensemble.asked))
-    } else if folded > 0 {
-        ("*", format!("{held}, {folded} folded"))
-    } else {
-        ("", held.to_string())
+    let mark = if is_whole(ensemble) { "" } else { "*" };
+    let reason = match (ensemble.valid().count(), ensemble.folded()) {
+        (held, _) if held < ensemble.asked as usize => format!("{held} of {}", ensemble.asked),
+        (held, 0) => held.to_string(),
+        (held, folded) => format!("{held}, {folded} folded"),
     };
     vec![
         format!("index with inputs in doubt: {within} (90 % of {reason})"),

@@ -6,7 +6,7 @@ mod view;
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
-use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow, go_on};
 use crate::tui::{changes::edit::change, form::words, keys::TimeKeys};
 use crate::tui::{model::AppModel, request::Report, step::Step, view::sheet::Sheet};
 use state::{DrawMap, Map};
@@ -34,12 +34,9 @@ const KEYS: PaneKeys<Map> = PaneKeys::new("Map", &[
     bind(&[c('v')], |s, m| s.next_result(&m.work.scenario), "result", "the next result that the scene has"),
 ]);
 
-/// Once Esc has stopped it.
-const STOPPED_KEYS: PaneKeys<Map> = PaneKeys::when(
-    |map, _| map.task.complaint.is_some(),
-    "Map: stopped",
-    &[bind(&[c('m')], |s, _| s.task.complaint = None, "go on", "go on where Esc stopped it")],
-);
+const STOPPED_KEYS: PaneKeys<Map> =
+    PaneKeys::<Map>::new("Map: stopped", &[go_on(|s, _| s.task.complaint = None)])
+        .when(|map, _| map.task.complaint.is_some());
 
 impl Screen for Map {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
