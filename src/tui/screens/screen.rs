@@ -152,6 +152,13 @@ pub fn follow<Q: TaskQuestion>(
     }
 }
 
+/// The next of `all` that fits after this one, which may be the same.
+pub fn next_of<T: Copy + PartialEq>(all: &[T], here: T, fits: impl FnMut(&T) -> bool) -> T {
+    let after = all.iter().position(|one| *one == here).map_or(0, |at| at + 1);
+    let (before, after) = all.split_at(after);
+    after.iter().chain(before).copied().find(fits).unwrap_or(here)
+}
+
 /// How far a screen's work is, or why it stopped, or else what is `known`, for its first row.
 pub fn state_of_work(
     pace: Option<String>,

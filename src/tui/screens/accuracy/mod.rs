@@ -17,7 +17,7 @@ use crate::scenario::{NumericsInput, Scenario};
 use crate::tui::keys::press::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::overlay::{Overlay, Prompt};
 use crate::tui::request::{Report, TaskQuestion};
-use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow, next_of};
 use crate::tui::{changes::edit::adopt, ensemble, keys::TimeKeys, model::AppModel};
 use crate::tui::{step::Step, task::Task, view::sheet::Sheet};
 
@@ -191,12 +191,10 @@ impl Measurement {
 
     /// Shows the next result.
     fn next_result(&mut self, scenario: &Scenario) {
-        let (Some(known), Some(here)) = (self.of(scenario), self.quantity(scenario)) else {
-            return;
-        };
-        let all = known.results();
-        let at = all.iter().position(|of| *of == here).unwrap_or(0);
-        self.chosen = Some(all[(at + 1) % all.len()]);
+        let shown = self.of(scenario).zip(self.quantity(scenario));
+        if let Some((known, here)) = shown {
+            self.chosen = Some(next_of(&known.results(), here, |_| true));
+        }
     }
 
     /// The runs on show, from the fastest to the slowest.

@@ -14,7 +14,7 @@ use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, 
 use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
 use crate::tui::picker::{PAGE, Picker};
-use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind, next_of};
 use crate::tui::simulation::{Complete, Simulate};
 use crate::tui::{choices::Choice, overlay::Overlay, request::Report, screens::forces::drawn};
 use crate::tui::{screens::replay::FrameKeys, shown::ShownAnswer, step::Step};
@@ -308,10 +308,8 @@ impl Comparison {
             let mut answers = self.entries.iter().filter_map(|entry| entry.answer());
             answers.any(|answer| answer.run.traces.as_ref().is_some_and(has))
         };
-        let here = self.curve();
-        let after = drawn().skip_while(|course| *course != here).skip(1);
-        let next = after.chain(drawn()).find(there);
-        self.curve = next.or(Some(here));
+        let all: Vec<Trace> = drawn().collect();
+        self.curve = Some(next_of(&all, self.curve(), there));
     }
 
     /// Marks what the cursor is on, or unmarks it.

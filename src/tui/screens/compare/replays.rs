@@ -1,8 +1,11 @@
 //! Replays side by side.
 
-use crate::many::comparison::Found;
 use crate::tui::screens::compare::comparison::{Comparison, shown};
-use crate::tui::{model::AppModel, screens::compare::view::heading, shown::ShownAnswer};
+use crate::tui::{
+    model::AppModel,
+    screens::compare::view::{answered, heading},
+    shown::ShownAnswer,
+};
 use crate::tui::{view::below, view::text::fitted, work::brief};
 use crate::tui::{view::chart::mark, view::eye::EyePicture, view::sheet::Sheet};
 
@@ -43,26 +46,18 @@ pub(super) fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet)
         let name = fitted(brief(&entry.name), usize::from(width) - 4);
         place.put((1, 0), mark(i).to_string(), theme.curve(i));
         place.put((3, 0), name, theme.strong());
-        let picture = &mut place.part((0, 1), (width - 1, height - 1));
-        match &entry.found {
-            Found::Answer(shown) => {
-                let time = time + compare.shift(&shown.answer);
-                let time = time.clamp(0.0, shown.answer.window());
-                EyePicture {
-                    largest,
-                    field: field(shown),
-                    blow: Some(&entry.scenario),
-                    ..EyePicture::of(model, shown, time)
-                }
-                .draw(picture.area, picture.buffer);
-            }
-            Found::Awaited => {
-                picture.put((1, 1), "simulating", theme.quiet());
-            }
-            Found::Refused(why) => {
-                let why = fitted(why, usize::from(width) - 2);
-                picture.put((1, 1), why, theme.error());
-            }
+        let Some(shown) = answered(entry, (1, 2), place) else {
+            continue;
+        };
+        let time = time + compare.shift(&shown.answer);
+        let time = time.clamp(0.0, shown.answer.window());
+        let picture = place.part((0, 1), (width - 1, height - 1));
+        EyePicture {
+            largest,
+            field: field(shown),
+            blow: Some(&entry.scenario),
+            ..EyePicture::of(model, shown, time)
         }
+        .draw(picture.area, picture.buffer);
     }
 }

@@ -1,7 +1,5 @@
 //! Several presets: the list to mark, the table with overlaid curves, the replays on one clock.
 
-use std::iter;
-
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
@@ -9,6 +7,7 @@ use crate::injury::Injury;
 use crate::many::comparison::{ComparisonColumn, Found};
 use crate::report::figure::{Figure, Off};
 use crate::report::risks::{first_line, range};
+use crate::run::quantity::Quantity;
 use crate::tui::screens::compare::comparison::{
     Alignment, Comparison, FORM, LIST, Marked, REPLAYS, TABLE,
 };
@@ -16,7 +15,7 @@ use crate::tui::screens::compare::replays::replays;
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
 use crate::tui::view::text::{fitted, longest_fitting, width};
 use crate::tui::view::{raster::Ink, risks::longest, sheet::Sheet};
-use crate::tui::{model::AppModel, work::brief};
+use crate::tui::{model::AppModel, shown::ShownAnswer, work::brief};
 
 /// What its panes are called.
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
@@ -149,37 +148,38 @@ const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 20;
 
-/// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
-fn columns(compare: &Comparison, area: Rect) -> Vec<(ComparisonColumn, u16)> {
+/// The results with columns, as many as fit, and where each ends; the one with the cursor is among
+/// them.
+fn columns(compare: &Comparison, area: Rect) -> Vec<(Quantity, u16)> {
     let columns = compare.columns();
     let count = usize::from((area.width - NAME) / EACH).min(columns.len() - 1);
     let first = compare.column.clamp(count, columns.len() - 1) + 1 - count;
-    let right = |i: usize| NAME + EACH * (i as u16 + 1);
-    let shown = columns.into_iter().skip(first).take(count).enumerate();
-    shown.map(|(i, column)| (column, right(i))).collect()
+    let results = columns.into_iter().skip(first).filter_map(|column| match column {
+        ComparisonColumn::Name => None,
+        ComparisonColumn::Result(of) => Some(of),
+    });
+    results.zip((1..).map(|i| NAME + EACH * i)).take(count).collect()
 }
 
 fn table(compare: &Comparison, model: &AppModel, each: u16, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let numbers = &columns(compare, area)[..];
+    let numbers = columns(compare, area);
     let focused = compare.pane == TABLE && model.overlay.is_none();
-    for &(column, right) in iter::once(&(ComparisonColumn::Name, 0)).chain(numbers) {
+    let heading = |column: ComparisonColumn, name: &str| {
         let sign = match compare.sorting() {
             Some((by, true)) if by == column => "▾",
             Some((by, false)) if by == column => "▴",
             _ => "",
         };
         let here = focused && column == compare.here();
-        let style = if here { theme.focus() } else { theme.heading() };
-        match column {
-            ComparisonColumn::Name => {
-                sheet.put((1, 0), format!("{sign}preset"), style);
-            }
-            ComparisonColumn::Result(of) => {
-                sheet.put_right((right, 0), format!("{sign}{}", of.row().short), style);
-                sheet.put_right((right, 1), of.row().unit, theme.quiet());
-            }
-        }
+        (format!("{sign}{name}"), if here { theme.focus() } else { theme.heading() })
+    };
+    let (text, style) = heading(ComparisonColumn::Name, "preset");
+    sheet.put((1, 0), text, style);
+    for (of, right) in &numbers {
+        let (text, style) = heading(ComparisonColumn::Result(*of), of.row().short);
+        sheet.put_right((*right, 0), text, style);
+        sheet.put_right((*right, 1), of.row().unit, theme.quiet());
     }
     let hidden = compare.columns().len() - 1 - numbers.len();
     if hidden > 0 {
@@ -187,40 +187,46 @@ fn table(compare: &Comparison, model: &AppModel, each: u16, sheet: &mut Sheet) {
     }
     for (i, at) in compare.sorted().into_iter().enumerate() {
         let place = &mut sheet.part((0, 2 + each * i as u16), (area.width, each));
-        row(&compare.entries[at], (at, numbers), place);
+        row(&compare.entries[at], (at, &numbers), place);
         if focused && i == compare.entry {
             place.put((0, 0), "▸", theme.strong());
         }
     }
 }
 
-fn row(entry: &Marked, (place, numbers): (usize, &[(ComparisonColumn, u16)]), sheet: &mut Sheet) {
+/// The answer of an entry, or else it is said at a cell why there is none.
+pub(super) fn answered<'a>(
+    entry: &'a Marked,
+    at: (u16, u16),
+    sheet: &mut Sheet,
+) -> Option<&'a ShownAnswer> {
+    let theme = sheet.theme;
+    match &entry.found {
+        Found::Answer(shown) => return Some(shown),
+        Found::Awaited => sheet.put(at, "simulating", theme.quiet()),
+        Found::Refused(why) => {
+            let room = sheet.area.width.saturating_sub(at.0 + 1);
+            sheet.put(at, fitted(why, room.into()), theme.error())
+        }
+    };
+    None
+}
+
+fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let room = usize::from(NAME) - 3;
     sheet.put((1, 0), mark(place).to_string(), theme.curve(place));
     sheet.put((3, 0), fitted(brief(&entry.name), room), theme.strong());
     // In a row of one line what there is to say stands beside the name.
     let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
-    let wide = usize::from(area.width.saturating_sub(said.0 + 1));
-    let answer = match &entry.found {
-        Found::Awaited => {
-            sheet.put(said, "simulating", theme.quiet());
-            return;
-        }
-        Found::Refused(why) => {
-            sheet.put(said, fitted(why, wide), theme.error());
-            return;
-        }
-        Found::Answer(shown) => &shown.answer,
+    let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else {
+        return;
     };
-    for &(column, right) in numbers {
-        let (value, error) = cell(answer, column, !entry.without_mesh);
-        let style = match column {
-            ComparisonColumn::Result(_) if answer.spoiled().is_some() => theme.quiet(),
-            _ => theme.text(),
-        };
-        sheet.put_right((right, 0), &value, style);
-        sheet.put_right((right, 1), &error, theme.quiet());
+    let style = if answer.spoiled().is_some() { theme.quiet() } else { theme.text() };
+    for (of, right) in numbers {
+        let (value, error) = cell(answer, *of, !entry.without_mesh);
+        sheet.put_right((*right, 0), &value, style);
+        sheet.put_right((*right, 1), &error, theme.quiet());
     }
     if !answer.flags.is_empty() {
         let flags = answer.flags.iter().map(|flag| flag.kind.words());
@@ -240,27 +246,22 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(ComparisonColumn, u16)]), sh
     sheet.put((3, 2), belief, theme.text());
 }
 
-/// What an answer has in a column, with as many digits as its error allows, and that error; of a
-/// risk its range and its word. Whether a mesh error is still to come.
-fn cell(answer: &Answer, column: ComparisonColumn, mesh_comes: bool) -> (String, String) {
-    let nothing = || ("-".to_owned(), String::new());
-    let ComparisonColumn::Result(quantity) = column else {
-        return nothing();
-    };
-    let risk = Injury::of(quantity).and_then(|injury| answer.risk(injury));
-    if let (Some(risk), Some(range)) = (risk, range(answer, quantity)) {
+/// A result with as many digits as its error allows, and that error, which the mesh may still add
+/// to; of a risk its range and its word.
+fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
+    let risk = Injury::of(of).and_then(|injury| answer.risk(injury));
+    if let (Some(risk), Some(range)) = (risk, range(answer, of)) {
         let word = risk.word();
         // One of several words says no more than the range.
         return (range, if word.contains(' ') { String::new() } else { word });
     }
-    let Some(figure) = Figure::of(answer, quantity) else {
-        return nothing();
-    };
-    let error = match figure.off {
-        Off::Step(_) if mesh_comes => "mesh …".to_owned(),
-        off => off.to_string().replace(' ', ""),
-    };
-    (figure.number, error)
+    match Figure::of(answer, of) {
+        None => ("-".to_owned(), String::new()),
+        Some(Figure { number, off: Off::Step(_), .. }) if mesh_comes => {
+            (number, "mesh …".to_owned())
+        }
+        Some(Figure { number, off, .. }) => (number, off.to_string().replace(' ', "")),
+    }
 }
 
 /// One curve of every entry in one chart.
@@ -271,15 +272,15 @@ fn overlaid(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
         return;
     };
     // Each on the time of the first.
-    let shifted = |answer: &Answer| -> Option<Vec<f64>> {
+    let times = compare.entries.iter().map(|entry| {
+        let answer = entry.answer()?;
         let shift = compare.shift(answer);
         let times = answer.run.traces.as_ref()?.time.iter();
-        Some(times.map(|time| time - shift).collect())
-    };
-    let times = compare.entries.iter().map(|entry| entry.answer().and_then(shifted));
+        Some(times.map(|time| time - shift).collect::<Vec<f64>>())
+    });
     let times: Vec<_> = times.map(Option::unwrap_or_default).collect();
     let (mut labels, mut curves) = (Vec::new(), Vec::new());
-    for (i, entry) in compare.entries.iter().enumerate() {
+    for (i, (entry, time)) in compare.entries.iter().zip(&times).enumerate() {
         let Some(traces) = entry.answer().and_then(|answer| answer.run.traces.as_ref()) else {
             continue;
         };
@@ -290,7 +291,7 @@ fn overlaid(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
             let ink = Ink::solid(theme.curve(i), 2 + i as u8, mark(i));
             // Without colours, dots of different spacing tell the curves apart.
             let ink = if theme.is_mono() { ink.dotted(1 + (i % 4) as u8) } else { ink };
-            curves.push(TimeCurve { time: &times[i], values, factor: row.factor, ink });
+            curves.push(TimeCurve { time, values, factor: row.factor, ink });
         }
     }
     labels.sort_unstable_by(|a, b| b.cmp(a));

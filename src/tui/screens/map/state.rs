@@ -7,6 +7,7 @@ use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, set};
+use crate::tui::screens::screen::next_of;
 use crate::tui::{ensemble, request::TaskQuestion, step::Step, task::Task, worker::run_watched};
 
 const ANGLE: &str = "impact.angle_deg";
@@ -127,8 +128,8 @@ impl Map {
     /// where what it holds lies outside them.
     pub fn settle(&mut self, scenario: &Scenario) {
         let holds = |span: &Span| {
-            number(span.field, scenario)
-                .is_some_and(|(value, _)| (span.from..=span.to).contains(&value))
+            let own = number(span.field, scenario);
+            own.is_some_and(|(value, _)| (span.from..=span.to).contains(&value))
         };
         if self.spans.is_some_and(|spans| spans.iter().all(holds)) {
             return;
@@ -171,12 +172,10 @@ impl Map {
     pub fn zoom(&mut self, scenario: &Scenario, wider: bool) {
         let factor = if wider { ZOOM } else { 1.0 / ZOOM };
         self.reach = (self.reach * factor).clamp(REACHES.0, REACHES.1);
-        let (Some(spans), Some(values)) = (self.spans, self.values()) else {
-            return;
-        };
-        let spans = spans.map(|old| span(old.field, scenario, self.reach).unwrap_or(old));
+        let Some(inputs) = self.inputs() else { return };
+        let spans = inputs.map(|(old, _)| span(old.field, scenario, self.reach).unwrap_or(old));
         self.spans = Some(spans);
-        self.cursor = [0, 1].map(|i| nearest(spans[i], values[i]));
+        self.cursor = [0, 1].map(|i| nearest(spans[i], inputs[i].1));
         self.task.complaint = None;
     }
 
@@ -204,11 +203,11 @@ impl Map {
         (count < all).then(|| DrawMap { scenario: key(scenario, spans), spans, known })
     }
 
-    /// The values of the inputs under the cursor.
-    pub fn values(&self) -> Option<[f64; 2]> {
+    /// The inputs with their values under the cursor.
+    pub fn inputs(&self) -> Option<[(Span, f64); 2]> {
         let spans = self.spans?;
         let value = |i: usize| spaced(spans[i].from, spans[i].to, SIDE)[self.cursor[i]];
-        Some([0, 1].map(value))
+        Some([0, 1].map(|i| (spans[i], value(i))))
     }
 
     /// Where the cursor stands, from 0 to 1.
@@ -225,27 +224,22 @@ impl Map {
 
     /// Shows the next result that the map has.
     pub fn next_result(&mut self, scenario: &Scenario) {
-        let Some(grid) = self.grid(scenario) else {
-            return;
-        };
-        let here = self.quantity(grid);
-        let all = Quantity::ALL.iter().copied();
-        let after = all.clone().skip_while(|q| *q != here).skip(1);
-        let next = after.chain(all).find(|q| grid.largest(*q).is_some());
-        self.chosen = next.or(Some(here));
+        if let Some(grid) = self.grid(scenario) {
+            let there = |of: &Quantity| grid.largest(*of).is_some();
+            self.chosen = Some(next_of(Quantity::ALL, self.quantity(grid), there));
+        }
     }
 
     /// The inputs that the cursor was moved over, away from what the scenario holds, each with its
     /// value there, and the scenario with those.
     pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
-        let (spans, values) = (self.spans?, self.values()?);
-        let moved = |i: &usize| {
-            let (span, at) = (spans[*i], self.cursor[*i]);
+        let moved = |((span, _), at): &((Span, f64), usize)| {
             let own = number(span.field, scenario).map(|(value, _)| value);
-            own.is_none_or(|own| !(span.from..=span.to).contains(&own) || nearest(span, own) != at)
+            let here = |own| (span.from..=span.to).contains(&own) && nearest(*span, own) == *at;
+            !own.is_some_and(here)
         };
-        let moved = (0..2).filter(moved).map(|i| (spans[i], values[i]));
-        let moved: Vec<_> = moved.collect();
+        let inputs = self.inputs()?.into_iter().zip(self.cursor);
+        let moved: Vec<_> = inputs.filter(moved).map(|(input, _)| input).collect();
         let mut changed = scenario.clone();
         for (span, value) in &moved {
             set::put_number(&mut changed, span.field, *value);
@@ -287,11 +281,11 @@ mod tests {
         let near = |map: &Map, force: f64| {
             let [x, _] = map.spans.unwrap();
             let step = (x.to - x.from) / (SIDE - 1) as f64;
-            assert!((map.values().unwrap()[0] - force).abs() <= 0.51 * step);
+            assert!((map.inputs().unwrap()[0].1 - force).abs() <= 0.51 * step);
         };
         near(&map, 300.0);
         map.move_cursor(Step::MUCH_MORE, true);
-        let force = map.values().unwrap()[0];
+        let force = map.inputs().unwrap()[0].1;
         map.zoom(&scenario, true);
         near(&map, force);
         map.turn(&scenario, false);

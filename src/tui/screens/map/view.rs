@@ -240,11 +240,11 @@ fn axes([x, y]: [Span; 2], field: Rect, sheet: &mut Sheet) {
 
 /// The range of a risk under the cursor: of curves, eyes and what a map may be off by.
 fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<String> {
-    let (injury, spans, values) = (Injury::of(of)?, map.spans?, map.values()?);
+    let injury = Injury::of(of)?;
     let measure = injury.measure();
     let felt = grid.read(measure, map.place()).filter(|felt| !felt.folded)?.value?;
     let mut there = model.work.scenario.clone();
-    for (span, value) in spans.iter().zip(values) {
+    for (span, value) in map.inputs()? {
         put_number(&mut there, span.field, value);
     }
     let known =
@@ -254,7 +254,7 @@ fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<
 
 /// What is known under the cursor.
 fn reading(map: &Map, model: &AppModel) -> String {
-    let (Some(spans), Some(values)) = (map.spans, map.values()) else {
+    let Some(inputs) = map.inputs() else {
         return String::new();
     };
     let value = map.grid(&model.work.scenario).and_then(|grid| {
@@ -276,7 +276,7 @@ fn reading(map: &Map, model: &AppModel) -> String {
         Some(format!("{} {about}{value}{folded}", row.label))
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());
-    let [x, y] = [0, 1].map(|i| named(spans[i], &short(values[i])));
+    let [x, y] = inputs.map(|(span, value)| named(span, &short(value)));
     format!("X {x}, {y}: {value}")
 }
 
