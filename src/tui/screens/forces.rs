@@ -12,11 +12,8 @@ use crate::tui::{
 };
 use strum::VariantArray;
 
-/// Charts that stand together, each with the curves in it.
-struct View {
-    name: &'static str,
-    charts: Vec<Vec<Trace>>,
-}
+/// Charts that stand together under a name, each with the curves in it.
+type View = (&'static str, Vec<Vec<Trace>>);
 
 /// Charts of one curve each that stand in one view, and curves that stand in one chart.
 const MAX_CHARTS: usize = 4;
@@ -26,8 +23,7 @@ const MAX_CURVES: usize = 6;
 #[derive(Clone, Copy, Default)]
 pub struct Forces {
     view: usize,
-    /// How often the time in which something happens is halved about the cursor; below 0 all the
-    /// time is drawn.
+    /// How often the time in which something happens is halved about the cursor; below 0, all time.
     zoom: i32,
 }
 
@@ -58,14 +54,10 @@ fn recorded(traces: &Traces) -> impl Iterator<Item = Trace> {
 
 /// What the screen can show of a recording: of an eye that was hit first what it felt.
 fn views(traces: &Traces) -> Vec<View> {
-    // A chart for each curve.
-    let alone = |name, curves: &[Trace]| {
-        let charts = curves.iter().map(|curve| vec![*curve]).collect();
-        View { name, charts }
-    };
+    let alone = |name, own: &[Trace]| (name, own.iter().map(|curve| vec![*curve]).collect());
     let [contact, pressure, stretch] = Quantity::FELT;
     let felt = [contact, pressure, stretch, Quantity::Apex].map(Trace::Of);
-    let mut views = Vec::new();
+    let mut views: Vec<View> = Vec::new();
     if felt.iter().all(|curve| !curve.values(traces).is_empty()) {
         views.push(alone("what the eye felt", &felt));
     }
@@ -73,17 +65,16 @@ fn views(traces: &Traces) -> Vec<View> {
         let own: Vec<Trace> = recorded(traces).filter(|c| c.row().place.0 == *group).collect();
         let name = match group {
             Group::NodeForces => "the four nodes",
-            Group::Energies => {
-                let together =
-                    |own: &[Trace]| View { name: "energies", charts: vec![own.to_vec()] };
-                views.extend(own.chunks(MAX_CURVES).map(together));
-                continue;
-            }
+            Group::Energies => "energies",
             Group::Inside => "pressures and stress",
             Group::Tissues => "tissues",
             Group::Motion | Group::Input | Group::Projectile => "load and movement",
         };
-        views.extend(own.chunks(MAX_CHARTS).map(|own| alone(name, own)));
+        if *group == Group::Energies {
+            views.extend(own.chunks(MAX_CURVES).map(|own| (name, vec![own.to_vec()])));
+        } else {
+            views.extend(own.chunks(MAX_CHARTS).map(|own| alone(name, own)));
+        }
         if *group == Group::NodeForces {
             views.extend(own.iter().map(|one| alone(one.row().label, &[*one])));
         }
@@ -120,9 +111,8 @@ impl Screen for Forces {
         let view = views.get(place);
         let (said, style) = match (model.stale(), view) {
             (Some(why), _) => (why.to_owned(), theme.warning()),
-            (None, Some(view)) => {
-                let of = views.len();
-                (format!("v: {}, {} of {of}", view.name, place + 1), theme.heading())
+            (None, Some((name, _))) => {
+                (format!("v: {name}, {} of {}", place + 1, views.len()), theme.heading())
             }
             (None, None) => (String::new(), theme.quiet()),
         };
@@ -133,17 +123,17 @@ impl Screen for Forces {
         }
         sheet.put((0, 0), &text, theme.strong());
         sheet.put_right((area.width - 1, 0), &said, style);
-        let (Some(traces), Some(view)) = (&shown.answer.run.traces, view) else {
+        let (Some(traces), Some((_, charts))) = (&shown.answer.run.traces, view) else {
             return;
         };
-        let grid = match view.charts.len() {
+        let grid = match charts.len() {
             1 => (1, 1),
             2 => (1, 2),
             _ => (2, 2),
         };
-        let mut charts = sheet.at(below(area, 1));
-        for (i, curves) in view.charts.iter().enumerate() {
-            let place = &mut charts.tile(i, grid);
+        let mut field = sheet.at(below(area, 1));
+        for (i, curves) in charts.iter().enumerate() {
+            let place = &mut field.tile(i, grid);
             place.area.width -= 1;
             chart(model, self.zoom, (shown, traces), curves, place);
         }
@@ -152,7 +142,7 @@ impl Screen for Forces {
     fn courses(&self, model: &AppModel) -> Vec<Trace> {
         let views = views_of(model);
         let here = views.get(self.view % views.len().max(1));
-        here.map_or_else(Vec::new, |view| view.charts.concat())
+        here.map_or_else(Vec::new, |(_, charts)| charts.concat())
     }
 }
 

@@ -66,8 +66,7 @@ pub trait Screen: Keyed + Any {
     /// The app was opened on these.
     fn opened_on(&mut self, _model: &mut AppModel, _works: &[Work]) {}
 
-    /// How many samples over what is not known of the inputs it has room for; a few at most are
-    /// run though nobody asked.
+    /// How many samples of the inputs it has room for; a few at most are run though nobody asked.
     fn samples(&self) -> u32 {
         0
     }
@@ -100,8 +99,7 @@ pub trait Screen: Keyed + Any {
         None
     }
 
-    /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be
-    /// told of drags from there.
+    /// Takes in what the mouse does on it; whether it wants to be told of drags from there.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, _area: Rect) -> bool {
         if let Mouse::Wheel(_, step) = mouse {
             self.step(model, step.reversed());

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use crate::many::accuracy::{Accuracy, Total, cheapest, finest_tried, measure};
 use crate::report::format::{percent, significant};
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
-use crate::scenario::{NumericsInput, Scenario};
+use crate::scenario::Scenario;
 use crate::tui::keys::press::{ENTER, LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::overlay::{Overlay, Prompt};
 use crate::tui::request::{Report, TaskQuestion};
@@ -41,8 +41,7 @@ impl Screen for Measurement {
         view::draw(self, model, sheet);
     }
 
-    /// Measures while the screen is on show what is not known yet; asks what was wished for once
-    /// it is known.
+    /// Measures on show what is not known yet; asks what was wished for once it is known.
     fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         let scenario = &model.work.scenario;
         let free = on_show && self.complaint(scenario).is_none();
@@ -227,8 +226,7 @@ impl Measurement {
         }
     }
 
-    /// Something more exact than the scenario is solved now, or something faster; an error says
-    /// why there is none, and nothing that too little is known yet.
+    /// Something more exact than now, or faster, or why there is none; nothing until enough is known.
     fn proposal(&self, scenario: &Scenario, exact: bool) -> Option<Result<Prompt, String>> {
         let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
         let shown = known.of(of);
@@ -283,18 +281,11 @@ fn present<'a>(scenario: &Scenario, shown: &'a [Total]) -> Option<&'a Total> {
 fn adopted(scenario: &Scenario, total: &Total) -> Scenario {
     let step = total.plan.step * 1e6;
     let power = 10f64.powi(5 - step.log10().floor() as i32);
-    let mut adopted = Scenario {
-        numerics: NumericsInput {
-            integrator: Some(total.plan.integrator),
-            step_us: Some((step * power).floor() / power),
-            ..scenario.numerics.clone()
-        },
-        ..scenario.clone()
-    };
-    if total.is_answer {
-        // What the program would take by itself stays free to be refined.
-        (adopted.numerics.integrator, adopted.numerics.step_us) = (None, None);
-    }
+    let mut adopted = scenario.clone();
     adopted.eye.level = total.level;
+    // What the program would take by itself stays free to be refined.
+    let own = !total.is_answer;
+    adopted.numerics.integrator = own.then_some(total.plan.integrator);
+    adopted.numerics.step_us = own.then(|| (step * power).floor() / power);
     adopted
 }

@@ -72,8 +72,7 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
 
 /// What less error costs: the fastest run, the most exact one, and one between them.
 fn costs(shown: &[Total]) -> String {
-    let mut front: Vec<&Total> = shown.iter().filter(|total| total.on_front).collect();
-    front.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let front: Vec<&Total> = shown.iter().filter(|total| total.on_front).collect();
     let places = [0, front.len() / 2, front.len().saturating_sub(1)];
     let mut picked: Vec<&Total> = places.iter().filter_map(|at| front.get(*at).copied()).collect();
     picked.dedup_by_key(|total| total.seconds.to_bits());
@@ -143,8 +142,7 @@ fn named(shown: &[Total], here: usize) -> Vec<String> {
     ]
 }
 
-/// Whether the run under the cursor is on the front, and the tolerances that it is the cheapest
-/// for.
+/// Whether the run under the cursor is on the front, and for which tolerances it is the cheapest.
 fn front(shown: &[Total], here: usize) -> String {
     let of = TOLERANCES.into_iter().filter(|percent| cheapest(shown, *percent) == Some(here));
     let of: Vec<String> = of.map(|percent| format!("{percent} %")).collect();

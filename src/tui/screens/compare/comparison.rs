@@ -139,11 +139,8 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Marks one more.
-    ///
-    /// # Errors
-    /// Where six are marked already.
-    pub fn add(&mut self, name: &str, scenario: &Scenario) -> Result<(), String> {
+    /// Marks one more; an error says that six are marked already.
+    pub(super) fn add(&mut self, name: &str, scenario: &Scenario) -> Result<(), String> {
         if self.entries.len() == MAX_MARKED {
             return Err(format!("{MAX_MARKED} are marked already: unmark one first"));
         }
@@ -151,11 +148,12 @@ impl Comparison {
         Ok(())
     }
 
-    /// Marks a preset, or unmarks what began as it.
-    ///
-    /// # Errors
-    /// Where six are marked already, or it has no scenario.
-    pub fn mark(&mut self, name: &str, scenario: Result<&Scenario, &String>) -> Result<(), String> {
+    /// Marks a preset, or unmarks what began as it; an error says why it cannot be marked.
+    pub(super) fn mark(
+        &mut self,
+        name: &str,
+        scenario: Result<&Scenario, &String>,
+    ) -> Result<(), String> {
         if let Some(at) = self.place_of(name) {
             self.entries.remove(at);
             return Ok(());
@@ -165,18 +163,18 @@ impl Comparison {
     }
 
     /// The place of what began as that preset among the entries.
-    pub fn place_of(&self, name: &str) -> Option<usize> {
+    pub(super) fn place_of(&self, name: &str) -> Option<usize> {
         self.entries.iter().position(|entry| began_as(&entry.name, name))
     }
 
     /// Whether what a task is at is about an entry still.
-    pub fn awaits<Q>(&self, task: &Task<OfMarked<Q>>) -> bool {
+    pub(super) fn awaits<Q>(&self, task: &Task<OfMarked<Q>>) -> bool {
         let asked = task.job.as_ref().map(|job| &job.question);
         asked.is_some_and(|asked| self.entries.iter().any(|entry| asked.is_of(entry)))
     }
 
     /// Where the form is marked, its entry takes the scenario of the form.
-    pub fn follow_form(&mut self, scenario: &Scenario) {
+    pub(super) fn follow_form(&mut self, scenario: &Scenario) {
         let mut entries = self.entries.iter_mut();
         if let Some(entry) = entries.find(|e| e.name == FORM && e.scenario != *scenario) {
             *entry = Entry::new(FORM, scenario);
@@ -184,21 +182,20 @@ impl Comparison {
     }
 
     /// The next entry to simulate.
-    pub fn next(&self) -> Option<&Marked> {
+    pub(super) fn next(&self) -> Option<&Marked> {
         let awaited = |entry: &&Marked| matches!(entry.found, Found::Awaited);
         self.entries.iter().find(awaited)
     }
 
     /// The entries whose answers are still to be completed.
-    pub fn incomplete(&self) -> impl Iterator<Item = (&Marked, &Answer)> {
+    pub(super) fn incomplete(&self) -> impl Iterator<Item = (&Marked, &Answer)> {
         let open = self.entries.iter().filter(|entry| !entry.without_mesh);
         let answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
         answered.filter(|(_, answer)| answer.inputs.is_none())
     }
 
-    /// Changes an entry; the cursor of the table stays with what it stood on, wherever that then
-    /// is sorted to.
-    pub fn keeping_row(&mut self, change: impl FnOnce(&mut Self)) {
+    /// Changes an entry; the cursor of the table stays with its own, wherever that is sorted to.
+    pub(super) fn keeping_row(&mut self, change: impl FnOnce(&mut Self)) {
         let chosen = self.sorted().get(self.entry).copied();
         change(self);
         let row = self.sorted().into_iter().position(|place| Some(place) == chosen);
@@ -206,7 +203,7 @@ impl Comparison {
     }
 
     /// Takes in what completes an entry, or that nothing does.
-    pub fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
+    pub(super) fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
         self.keeping_row(|comparison| {
             let mut entries = comparison.entries.iter_mut();
             if let Some(entry) = entries.find(|entry| asked.is_of(entry))
@@ -222,14 +219,14 @@ impl Comparison {
     }
 
     /// By how much the time shown of an answer is later than that of the first, in s.
-    pub fn shift(&self, answer: &Answer) -> f64 {
+    pub(super) fn shift(&self, answer: &Answer) -> f64 {
         let first = self.entries.iter().find_map(Entry::answer);
         let moment = |answer| self.alignment.moment(answer);
         moment(answer) - first.map_or(0.0, moment)
     }
 
     /// Takes in what came of an entry.
-    pub fn set_found(&mut self, name: &str, found: Found<Box<ShownAnswer>>) {
+    pub(super) fn set_found(&mut self, name: &str, found: Found<Box<ShownAnswer>>) {
         self.keeping_row(|comparison| {
             let mut entries = comparison.entries.iter_mut();
             if let Some(entry) = entries.find(|entry| entry.name == name) {
@@ -239,18 +236,18 @@ impl Comparison {
     }
 
     /// The columns, from the left.
-    pub fn columns(&self) -> Vec<ComparisonColumn> {
+    pub(super) fn columns(&self) -> Vec<ComparisonColumn> {
         columns(&self.entries)
     }
 
     /// The column with the cursor.
-    pub fn here(&self) -> ComparisonColumn {
+    pub(super) fn here(&self) -> ComparisonColumn {
         let columns = self.columns();
         columns[self.column.min(columns.len() - 1)]
     }
 
     /// Sorts by the column with the cursor; a second time, the other way round.
-    pub fn sort_here(&mut self) {
+    pub(super) fn sort_here(&mut self) {
         let here = self.here();
         self.sort = match self.sorting() {
             Some((column, largest)) if column == here => Some((column, !largest)),
@@ -258,9 +255,8 @@ impl Comparison {
         };
     }
 
-    /// The column that sorts the table: by itself the risk of the gravest injury, where there is
-    /// one.
-    pub fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
+    /// The column that sorts the table: by itself the risk of the gravest injury, if there is one.
+    pub(super) fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
         let first = self.columns().into_iter().nth(1);
         let risk = first.filter(|column| column.is_risk());
         let own = risk.filter(|_| !self.fixed).map(|column| (column, true));
@@ -268,7 +264,7 @@ impl Comparison {
     }
 
     /// Keeps the rows in the order that they have now: who edits one goes on to the next.
-    pub fn fix_order(&mut self) {
+    pub(super) fn fix_order(&mut self) {
         if let Some(by) = self.sorting() {
             self.entries.sort_by(|a, b| order(a, b, by));
         }
@@ -276,7 +272,7 @@ impl Comparison {
     }
 
     /// The places of the entries, in the order of the table.
-    pub fn sorted(&self) -> Vec<usize> {
+    pub(super) fn sorted(&self) -> Vec<usize> {
         let mut places: Vec<usize> = (0..self.entries.len()).collect();
         if let Some(by) = self.sorting() {
             places.sort_by(|a, b| order(&self.entries[*a], &self.entries[*b], by));
@@ -285,7 +281,7 @@ impl Comparison {
     }
 
     /// The curve below the table: by itself the pressure, where there is one.
-    pub fn curve(&self) -> Trace {
+    pub(super) fn curve(&self) -> Trace {
         let mut answers = self.entries.iter().filter_map(Entry::answer);
         let pressed = answers.any(|answer| answer.result(Quantity::Pressure).is_some());
         let own = if pressed { Trace::Of(Quantity::Pressure) } else { Trace::default() };
@@ -293,7 +289,7 @@ impl Comparison {
     }
 
     /// The longest window of the answers, in s.
-    pub fn window(&self) -> Option<f64> {
+    pub(super) fn window(&self) -> Option<f64> {
         let windows = self.entries.iter().filter_map(|e| Some(e.answer()?.window()));
         windows.max_by(f64::total_cmp)
     }

@@ -100,8 +100,7 @@ impl Screen for Comparison {
         }
     }
 
-    /// Simulates the marked scenarios one after another while they are on show, and then completes
-    /// their answers; stops what nobody waits for.
+    /// Simulates, then completes what is marked while on show; stops what nobody waits for.
     fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         if on_show {
             self.follow_form(&model.work.scenario);
@@ -237,8 +236,7 @@ impl Screen for Comparison {
         }
     }
 
-    /// Those of the marked entries in the order of the table, or of the form where none is; none
-    /// while some are being simulated.
+    /// Those of the table, else of the form; none while some are being simulated.
     fn answers<'a>(&'a self, model: &'a AppModel) -> Vec<(String, &'a ShownAnswer)> {
         if self.next().is_some() {
             return Vec::new();
@@ -282,14 +280,11 @@ impl Comparison {
             _ => self.sorted().get(self.entry).copied(),
         };
         let marked = place.map(|at| &self.entries[at]);
-        let what = match (marked, listed) {
-            (Some(entry), _) => Some((&entry.name, &entry.scenario)),
-            (None, Some(Choice { name, scenario: Ok(scenario), .. })) => Some((name, scenario)),
-            _ => None,
-        };
+        let named = marked.map(|entry| (&entry.name, &entry.scenario));
+        let preset = || listed.and_then(|of| Some((&of.name, of.scenario.as_ref().ok()?)));
+        let what = named.or_else(preset);
         let Some((name, scenario)) = what.filter(|(name, _)| *name != FORM) else {
-            model.notice = Some("F1 edits the form".to_owned());
-            return;
+            return model.notice = Some("F1 edits the form".to_owned());
         };
         if let Some(what) = Changing::of(name, scenario) {
             model.overlay = Some(Overlay::Change(Box::new(what)));

@@ -142,14 +142,12 @@ fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     }
 }
 
-/// Columns from the end of a number to that of the next: room for the longest name and the mark of
-/// sorting.
+/// Columns of a number: room for the longest name and the mark of sorting.
 const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 20;
 
-/// The results with columns, as many as fit, and where each ends; the one with the cursor is among
-/// them.
+/// The results that fit, the one with the cursor among them, and where the column of each ends.
 fn columns(compare: &Comparison, area: Rect) -> Vec<(Quantity, u16)> {
     let columns = compare.columns();
     let count = usize::from((area.width - NAME) / EACH).min(columns.len() - 1);

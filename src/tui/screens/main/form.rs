@@ -144,38 +144,39 @@ fn draw_row(model: &AppModel, row: FormRow, (chosen, focused): (bool, bool), she
     let lit = chosen && focused;
     sheet.put((0, 0), if lit { "▸" } else { " " }, theme.strong());
     let style = if lit { theme.strong() } else { theme.text() };
-    match row {
-        FormRow::Preset => {
-            let mark = if model.is_edited() { " *" } else { "" };
-            let name = format!("{}{mark}", model.work.name());
-            let name = fitted(&name, usize::from(area.width - 2));
-            sheet.put((1, 0), label_within("Preset", &name, area.width), style);
-            value(&name, lit, sheet);
-        }
-        FormRow::Fold => {
+    let (label, text, doubtful) = match (row, &model.form.typing) {
+        (FormRow::Fold, _) => {
             let sign = if model.form.advanced { "▾" } else { "▸" };
             let more = rows(scenario, true).len() - rows(scenario, false).len();
             let style = if lit { theme.focus() } else { theme.text() };
             sheet.put((1, 0), format!("{sign} Advanced ({more} more)"), style);
+            return;
         }
-        FormRow::Field(field) => match &model.form.typing {
-            Some(typing) if chosen => {
-                sheet.put((1, 0), field.label, style);
-                typed(typing, sheet);
-            }
-            _ => {
-                let doubtful = is_unverified(scenario, field);
-                let room = area.width - if doubtful { 2 } else { 0 };
-                let text = fitted(&shown_value(model, field), usize::from(room - 2));
-                sheet.put((1, 0), label_within(field.label, &text, room), style);
-                if doubtful {
-                    let right = area.width.saturating_sub(width(&text) + 1);
-                    sheet.put_right((right, 0), "?", theme.warning());
-                }
-                value(&text, lit, sheet);
-            }
-        },
+        (FormRow::Field(field), Some(Typing { input: line, error, .. })) if chosen => {
+            sheet.put((1, 0), field.label, style);
+            let label = width(field.label) + 2;
+            let room = area.width.saturating_sub(label).max(8).min(area.width - 1);
+            let style = if error.is_some() { theme.error() } else { theme.strong() };
+            input(line, style, &mut sheet.part((area.width - room, 0), (room, 1)));
+            return;
+        }
+        (FormRow::Preset, _) => {
+            let mark = if model.is_edited() { " *" } else { "" };
+            ("Preset", format!("{}{mark}", model.work.name()), false)
+        }
+        (FormRow::Field(field), _) => {
+            (field.label, shown_value(model, field), is_unverified(scenario, field))
+        }
+    };
+    let room = area.width - if doubtful { 2 } else { 0 };
+    let text = fitted(&text, usize::from(room - 2));
+    sheet.put((1, 0), label_within(label, &text, room), style);
+    if doubtful {
+        let right = area.width.saturating_sub(width(&text) + 1);
+        sheet.put_right((right, 0), "?", theme.warning());
     }
+    let style = if lit { theme.focus() } else { theme.text() };
+    sheet.put_right((area.width, 0), text, style);
 }
 
 /// As many words of a label as there is room for beside a value.
@@ -183,12 +184,6 @@ fn label_within<'a>(label: &'a str, value: &str, room: u16) -> &'a str {
     let shorter = label.rmatch_indices(' ').map(|(at, _)| &label[..at]);
     let fits = |text: &&str| 2 + width(text) + width(value) <= room;
     std::iter::once(label).chain(shorter).find(fits).unwrap_or("")
-}
-
-fn value(text: &str, lit: bool, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let style = if lit { theme.focus() } else { theme.text() };
-    sheet.put_right((area.width, 0), text, style);
 }
 
 /// A value with its unit, in a person's words.
@@ -229,16 +224,6 @@ fn spaced(name: &str) -> String {
         }
     }
     text
-}
-
-/// A value being typed, with its cursor.
-fn typed(typing: &Typing, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let label = width(typing.field.label) + 2;
-    let room = area.width.saturating_sub(label).max(8).min(area.width - 1);
-    let field = &mut sheet.part((area.width - room, 0), (room, 1));
-    let style = if typing.error.is_some() { theme.error() } else { theme.strong() };
-    input(&typing.input, style, field);
 }
 
 #[cfg(test)]

@@ -148,23 +148,18 @@ fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
 
 /// Takes another value of a field, or says why it may not be there.
 fn take(model: &mut AppModel, path: &'static str, outcome: Result<Scenario, String>) {
-    match outcome {
-        Ok(scenario) => {
-            let another_model =
-                discriminant(&scenario.model) != discriminant(&model.work.scenario.model);
-            let work = model.work.with(scenario);
-            change(model, work, path);
-            if path == "impact" && another_model {
-                model.notice =
-                    Some("objects need the Physiological model: it is taken now".to_owned());
-            }
-        }
-        Err(why) => model.form.complaint = Some(why),
+    let scenario = match outcome {
+        Ok(scenario) => scenario,
+        Err(why) => return model.form.complaint = Some(why),
+    };
+    let another_model = discriminant(&scenario.model) != discriminant(&model.work.scenario.model);
+    change(model, model.work.with(scenario), path);
+    if path == "impact" && another_model {
+        model.notice = Some("objects need the Physiological model: it is taken now".to_owned());
     }
 }
 
-/// The scenario one step further; where a rule forbids a large step, as many small ones as it
-/// allows.
+/// The scenario one step further; where a rule forbids a large one, as many small ones as it lets.
 fn furthest(
     scenario: &Scenario,
     field: &Field,
@@ -247,16 +242,14 @@ impl Main {
 
 /// Turns the blow to where the mouse is, by whole degrees.
 fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
-    let Some(field) = fields::find(ANGLE) else {
+    let (Some(field), Some(shown)) = (fields::find(ANGLE), &model.shown) else {
         return;
     };
-    let Some(shown) = &model.shown else { return };
     let detail = model.clock.detail(shown.drawing.object.is_some());
     let drawn = view::drawn_in(picture, detail);
     let angle = eye::angle_at(drawn, shown, model.look, detail, at).to_degrees();
     // Minus zero would be written with its sign.
     let text = (angle.round() + 0.0).to_string();
     model.form.complaint = None;
-    let outcome = with_text(&model.work.scenario, field, &text);
-    take(model, ANGLE, outcome);
+    take(model, ANGLE, with_text(&model.work.scenario, field, &text));
 }

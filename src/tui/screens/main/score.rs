@@ -27,8 +27,7 @@ const SHORTEST: u16 = 4;
 /// Rows of the index with its parts.
 pub const BLOCK: u16 = 4;
 
-/// Draws what to believe of each injury in `each` rows, or why nothing is said and what is not
-/// known of the inputs.
+/// Draws each injury in `each` rows, or why nothing is said and what is not known of the inputs.
 pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, sheet: &mut Sheet) {
     let theme = sheet.theme;
     let none = shown.answer.risks().is_empty();

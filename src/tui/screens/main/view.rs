@@ -50,8 +50,7 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
     let wide = area.width >= WIDE && height >= HIGH;
     let mut form = Rect { width: left, height, ..area };
     let right = Rect::new(form.right() + 1, area.y, area.width - left - 1, height);
-    // From top to bottom in one column: what to believe, what limits it, the index, and charts or
-    // the eye.
+    // Downwards in one column: what to believe, what limits it, the index, and charts or the eye.
     let (each, limits, index) = match height {
         _ if wide => (2 * LINES - 1, 6, score::BLOCK),
         30.. => (LINES, 3, score::BLOCK),
@@ -149,8 +148,7 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, shee
     sheet.at(picture).put((0, 0), &caption, style);
 }
 
-/// Where in a picture the eye itself is drawn: a mesh has its caption above it, the anatomy places
-/// its own words.
+/// Where in a picture the eye is drawn: a mesh has its caption above, the anatomy its own words.
 pub fn drawn_in(picture: Rect, detail: MeshDetail) -> Rect {
     match detail {
         MeshDetail::Anatomy => picture,

@@ -83,18 +83,15 @@ fn adopt(map: &mut Map, model: &mut AppModel) {
     };
     if moved.is_empty() {
         let words = "the cursor stands on your values: the arrows move it";
-        model.notice = Some(words.to_owned());
-        return;
+        return model.notice = Some(words.to_owned());
     }
     if let Err(error) = scenario.check() {
-        model.notice = Some(words(&error));
-        return;
+        return model.notice = Some(words(&error));
     }
-    let parts = moved.iter().map(|(span, value)| view::named(*span, &value.to_string()));
-    let parts: Vec<String> = parts.collect();
-    let work = model.work.with(scenario);
-    change(model, work, "");
+    change(model, model.work.with(scenario), "");
     if model.notice.is_none() {
+        let parts = moved.iter().map(|(span, value)| view::named(*span, &value.to_string()));
+        let parts: Vec<String> = parts.collect();
         model.notice = Some(format!("now {}; u takes it back", parts.join(", ")));
     }
 }

@@ -1,5 +1,4 @@
-//! The map of two inputs as the app holds it: which inputs, what is known, where the cursor
-//! stands.
+//! The map of two inputs as the app holds it: which, what is known, where the cursor stands.
 
 use crate::many::map::{Grid, SIDE, Span, fill};
 use crate::many::sweep::spaced;
@@ -124,8 +123,7 @@ fn key(scenario: &Scenario, spans: [Span; 2]) -> Scenario {
 }
 
 impl Map {
-    /// Chooses inputs where there are none, or where the scenario no longer has them, and ranges
-    /// where what it holds lies outside them.
+    /// Chooses inputs that the scenario has, where these are none, and ranges that hold its values.
     pub fn settle(&mut self, scenario: &Scenario) {
         let holds = |span: &Span| {
             let own = number(span.field, scenario);
@@ -230,8 +228,7 @@ impl Map {
         }
     }
 
-    /// The inputs that the cursor was moved over, away from what the scenario holds, each with its
-    /// value there, and the scenario with those.
+    /// The inputs that the cursor was moved over, with their values, and the scenario with those.
     pub fn adopted(&self, scenario: &Scenario) -> Option<(Vec<(Span, f64)>, Scenario)> {
         let moved = |((span, _), at): &((Span, f64), usize)| {
             let own = number(span.field, scenario).map(|(value, _)| value);

@@ -34,8 +34,7 @@ const FOLDED: &str = "▒";
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
-/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its
-/// runs.
+/// A result on the map may be off by so many % at least: no mesh error is estimated of its runs.
 const MAPPED: f64 = 10.0;
 
 pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
@@ -117,8 +116,7 @@ fn cell_at((x, y): (f64, f64), field: Rect) -> (u16, u16) {
     (along(x, field.width), along(1.0 - y, field.height))
 }
 
-/// The whole of the scale: that of the result, or the first of 1, 2 and 5 times a power of ten
-/// that no value exceeds.
+/// The whole scale: the result's, or 1, 2 or 5 times a power of ten that no value exceeds.
 fn whole(grid: Option<&Grid>, quantity: Quantity) -> f64 {
     let round = |largest: f64| {
         let power = 10_f64.powf(largest.log10().floor());
@@ -166,8 +164,7 @@ impl Cells<'_> {
         if next.any(crosses) {
             return (LINE, theme.strong());
         }
-        // What is harmless, or grave, looks so on every screen; of what is neither, more is
-        // lighter.
+        // The harmless and the grave look so on every screen; of what is neither, more is lighter.
         let row = self.of.row();
         let heat = if row.risk {
             theme.likelihood(value * self.whole / 100.0)
