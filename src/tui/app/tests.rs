@@ -15,7 +15,7 @@ use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, Simul
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
 use crate::tui::{app::tables::footer_keys, changes::edit::change, outbox::Effect, prepare};
 use crate::tui::{save::SaveError, screens::SCREENS, screens::accuracy::Measurement};
-use crate::tui::{screens::map::state::Map, simulation::Simulate};
+use crate::tui::{screens::map::Map, simulation::Simulate};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -197,16 +197,18 @@ fn chart(
             Trace::Other(_) => label,
         };
         // The reading has the unit too.
-        let whole = format!("{label}, {}", only.row().unit);
+        title = format!("{label}, {}", only.row().unit);
         let room = area.width.saturating_sub(TITLED + width(&now));
-        let fitting = [&whole, label, short].into_iter().find(|text| width(text) <= room);
-        title = fitting.unwrap_or(&whole).to_owned();
+        if width(&title) > room
+            && let Some(fitting) = [label, short].into_iter().find(|text| width(text) <= room)
+        {
+            title.replace_range(.., fitting);
+        }
     } else {
-        let entry = |(i, course): (usize, &Trace)| {
+        entries.extend(courses.iter().enumerate().map(|(i, course)| {
             let text = format!("{} {} {}", mark(i), course.label(traces), reading(course));
             (text, theme.curve(i))
-        };
-        entries.extend(courses.iter().enumerate().map(entry));
+        }));
     }
     // What does not fit into one line of the legend takes two.
     let long: u16 = entries.iter().map(|(text, _)| width(text) + 2).sum();

@@ -17,7 +17,7 @@ use doubt::Doubt;
 use forces::Forces;
 use injury::Injuries;
 use main::Main;
-use map::state::Map;
+use map::Map;
 use replay::Replay;
 use screen::About;
 

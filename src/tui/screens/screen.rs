@@ -112,7 +112,7 @@ pub trait Screen: Keyed + Any {
         model.timed()
     }
 
-    /// Goes a step through what it shows: if it says nothing else, from frame to frame of that time.
+    /// Goes a step through what it shows: by itself from frame to frame of that time.
     fn step(&mut self, model: &mut AppModel, step: Step) {
         let mut clock = model.clock;
         if let Some((answer, window)) = self.timed(model) {

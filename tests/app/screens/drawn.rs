@@ -16,7 +16,7 @@ use contrecoup::tui::prepare;
 use contrecoup::tui::request::{Report, Ticket};
 use contrecoup::tui::screens::accuracy::{MeasureAccuracy, Measurement};
 use contrecoup::tui::screens::compare::comparison::SimulateMarked;
-use contrecoup::tui::screens::map::state::{DrawMap, Map};
+use contrecoup::tui::screens::map::{DrawMap, Map};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::task::Task;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};

@@ -183,29 +183,27 @@ impl Measurement {
         (asked.scenario == key(scenario)).then_some(why)
     }
 
-    /// The result on show: the chosen one where its error is known, else pressure, else damage.
-    fn quantity(&self, scenario: &Scenario) -> Option<Quantity> {
-        self.of(scenario)?.to_show(self.chosen)
+    /// What is known with the result on show: the chosen one, else pressure, else damage.
+    fn on_show(&self, scenario: &Scenario) -> Option<(&Accuracy, Quantity)> {
+        let known = self.of(scenario)?;
+        Some((known, known.to_show(self.chosen)?))
     }
 
     /// Shows the next result.
     fn next_result(&mut self, scenario: &Scenario) {
-        let shown = self.of(scenario).zip(self.quantity(scenario));
-        if let Some((known, here)) = shown {
+        if let Some((known, here)) = self.on_show(scenario) {
             self.chosen = Some(next_of(&known.results(), here, |_| true));
         }
     }
 
     /// The runs on show, from the fastest to the slowest.
     pub fn shown(&self, scenario: &Scenario) -> Vec<Total> {
-        let known = self.of(scenario).zip(self.quantity(scenario));
-        known.map_or(Vec::new(), |(known, of)| known.of(of))
+        self.on_show(scenario).map_or(Vec::new(), |(known, of)| known.of(of))
     }
 
     /// The place of the cursor among them.
     pub fn place(&self, shown: &[Total]) -> usize {
-        let is_here = |total: &Total| self.cursor == Some(name(total));
-        let place = shown.iter().position(is_here);
+        let place = shown.iter().position(|total| self.cursor == Some(name(total)));
         let place = place.or_else(|| cheapest(shown, FIRST));
         let best = || shown.iter().rposition(|total| total.on_front);
         place.or_else(best).unwrap_or(0)
@@ -226,9 +224,9 @@ impl Measurement {
         }
     }
 
-    /// Something more exact than now, or faster, or why there is none; nothing until enough is known.
+    /// Something more exact than now, or faster, or why there is none; nothing too early.
     fn proposal(&self, scenario: &Scenario, exact: bool) -> Option<Result<Prompt, String>> {
-        let (known, of) = (self.of(scenario)?, self.quantity(scenario)?);
+        let (known, of) = self.on_show(scenario)?;
         let shown = known.of(of);
         let present = present(scenario, &shown)?;
         let front = || shown.iter().filter(|total| total.on_front);

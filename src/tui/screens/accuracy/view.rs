@@ -32,7 +32,8 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
     let known = format!("median of {ROUNDS} runs");
     let stopped = accuracy.complaint(scenario);
     let (said, style) = state_of_work(accuracy.task.pace(None), stopped, known, theme);
-    let of = accuracy.quantity(scenario).map_or("", Quantity::label);
+    let on_show = accuracy.on_show(scenario);
+    let of = on_show.map_or("", |(_, of)| of.label());
     let full = format!("How exact, at what cost? Error of the {of} in % against time");
     let brief = format!("How exact? Error of the {of}, %");
     let titles: &[&str] = match of {
@@ -40,9 +41,7 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
         _ => &[&full, &brief, "How exact?"],
     };
     sheet.put_both((titles, theme.heading()), (&said, style));
-    let (Some(totals), Some(of), false) =
-        (accuracy.of(scenario), accuracy.quantity(scenario), shown.is_empty())
-    else {
+    let (Some((totals, of)), false) = (on_show, shown.is_empty()) else {
         sheet.put_wrapped((1, 2), &waiting(accuracy, model), theme.text());
         return;
     };
@@ -105,12 +104,12 @@ fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
 /// The letters that are there.
 fn legend(shown: &[Total]) -> Vec<String> {
     let there = |of: &&Integrator| shown.iter().any(|total| total.plan.integrator == **of);
-    let letters = Integrator::ALL.iter().filter(there).map(letter_and_name);
+    let letters = Integrator::ALL.iter().filter(there).map(|of| letter_and_name(*of));
     let others = ["capital: none is both faster and closer", "> more exact, < faster"];
     letters.chain(others.map(str::to_owned)).collect()
 }
 
-fn letter_and_name(of: &Integrator) -> String {
+fn letter_and_name(of: Integrator) -> String {
     format!("{} {}", of.method().letter, of.name())
 }
 
@@ -126,14 +125,12 @@ fn levels(totals: &Accuracy, of: Quantity) -> Vec<String> {
 
 /// All about the run under the cursor.
 fn named(shown: &[Total], here: usize) -> Vec<String> {
-    let Some(total) = shown.get(here) else {
-        return Vec::new();
-    };
+    let total = &shown[here];
     let automatic = if total.is_answer { " (automatic)" } else { "" };
     vec![
         format!("▸ {} of {}", here + 1, shown.len()),
         format!("level {}", total.level),
-        letter_and_name(&total.plan.integrator),
+        letter_and_name(total.plan.integrator),
         format!("step {} µs{automatic}", significant(total.step * 1e6)),
         format!("{} ms", significant(total.seconds * 1e3)),
         format!("error {}", percent(total.error())),

@@ -1,7 +1,6 @@
 //! Several presets: which are marked, their answers one after another, and the clock they share.
 
 pub mod comparison;
-mod replays;
 mod view;
 
 use ratatui::layout::Rect;

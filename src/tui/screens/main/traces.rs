@@ -86,6 +86,8 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         sheet.put_right((area.width, height), end, theme.quiet());
     }
     let each = (height / count).max(1);
+    let spoiled = shown.answer.spoiled().is_some();
+    let style = if spoiled { theme.quiet() } else { theme.strong() };
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = each * i as u16;
         let Some(figure) = Figure::of(&shown.answer, quantity) else {
@@ -96,12 +98,9 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         }
         let (label, value, time) = caption(quantity, &figure, peak, area.width);
         sheet.put((0, top), &label, theme.heading());
-        let left = area.width - width(&time);
-        sheet.put((left, top), &time, theme.quiet());
-        let right = if time.is_empty() { left } else { left - 1 };
-        let spoiled = shown.answer.spoiled().is_some();
-        let style = if spoiled { theme.quiet() } else { theme.strong() };
-        sheet.put_right((right, top), &value, style);
+        sheet.put_right((area.width, top), &time, theme.quiet());
+        let beside = if time.is_empty() { 0 } else { width(&time) + 1 };
+        sheet.put_right((area.width - beside, top), &value, style);
         let values = values(&quantity);
         if each < 2 || values.is_empty() {
             continue;

@@ -17,7 +17,7 @@ use crate::report::format::{capital, significant};
 use crate::report::picture::{Part, field::step};
 use crate::run::quantity::Quantity;
 use crate::scenario::{doubt::number, problem::plain, set::put_number};
-use crate::tui::screens::map::state::{Map, rounded};
+use crate::tui::screens::map::{Map, rounded};
 use crate::tui::screens::screen::state_of_work;
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{fitted, width, wrapped};
