@@ -66,7 +66,9 @@ impl Screen for Doubt {
         };
         let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
         let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
-        let results = listed(ensemble);
+        // First the risks, the gravest first, which are the answer.
+        let mut results = ensemble.results();
+        results.sort_by_key(|of| !of.is_risk());
         let chosen = self.row.min(results.len().saturating_sub(1));
         heading(sheet);
         let room = usize::from(area.width - 2);
@@ -127,13 +129,6 @@ const DRIVERS: u16 = 4;
 const NOTES: u16 = 4;
 /// The share of the range that is left free at both ends of a scale.
 const MARGIN: f64 = 0.06;
-
-/// The results that have bands: first the risks, the gravest first, which are the answer.
-fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
-    let mut results = ensemble.results();
-    results.sort_by_key(|of| !of.is_risk());
-    results
-}
 
 /// What is computed before the first bands, and when those come.
 fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {

@@ -105,21 +105,18 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
     foot.put((0, 0), "─".repeat(area.width.into()), theme.line());
-    // What is believed comes first, and last what does not count here.
-    let mut sentences = vec![format!("{}: {}", risk.injury.name(), risk.words())];
-    let mut basis = basis(&shown.answer, risk);
-    let published = basis.split_off(1);
+    let mut sentences = basis(&shown.answer, risk);
     if each > 1 {
         // The rest of it stands in the row.
-        basis[0] = format!("matched to {}", risk.injury.curve().matched);
+        sentences[0] = format!("matched to {}", risk.injury.curve().matched);
     }
-    sentences.append(&mut basis);
-    if shown.answer.case.blow.tested > 0.0 {
-        sentences.extend(published);
-    } else if !published.is_empty() {
-        let said = published.join("; ");
+    let counts = shown.answer.case.blow.tested > 0.0;
+    if !counts && sentences.len() > 1 {
+        let said = sentences.split_off(1).join("; ");
         sentences.push(format!("not counted, as such an object was not tested: {said}"));
     }
+    // What is believed comes first.
+    sentences.insert(0, format!("{}: {}", risk.injury.name(), risk.words()));
     let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
     let rows = usize::from(foot.area.height.saturating_sub(1));
     if wrapped(&sentences[..2].join(" "), room).len() > rows {

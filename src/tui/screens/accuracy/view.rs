@@ -13,10 +13,9 @@ use crate::report::format::{digits, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::screens::accuracy::log_axis::{LogAxis, tick_label};
-use crate::tui::screens::screen::state_of_work;
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::{sheet::Sheet, text::flowed};
 use crate::tui::{model::AppModel, screens::accuracy::Measurement, view::chart::axes};
+use crate::tui::{screens::screen::state_of_work, view::sheet::Sheet, view::text::flowed};
 
 /// Room for the numbers of the error axis.
 const LABELS: u16 = 7;

@@ -316,14 +316,14 @@ fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let answers = || entries.iter().filter_map(shown);
     let largest = answers().map(|shown| shown.hottest).fold(0.0, f64::max);
     let wanted = answers().find_map(|shown| model.clock.field(&shown.fields));
+    let wanted = wanted.map(|(field, _)| field);
     let own = |shown: &ShownAnswer| {
-        let mut fields = shown.fields.iter().copied();
-        fields.find(|(field, _)| wanted.is_some_and(|(wanted, _)| *field == wanted))
+        shown.fields.iter().copied().find(|(field, _)| Some(*field) == wanted)
     };
     let end = answers().filter_map(own).map(|(_, end)| end).fold(0.0, f64::max);
-    let field = |shown: &ShownAnswer| match own(shown) {
-        Some((field, _)) => Some((field, end)),
-        None => model.clock.field(&shown.fields),
+    let field = |shown: &ShownAnswer| {
+        let own = own(shown).map(|(field, _)| (field, end));
+        own.or_else(|| model.clock.field(&shown.fields))
     };
     let zoom = match model.clock.zoom() {
         1 => String::new(),

@@ -24,7 +24,6 @@ pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     let in_front = matches!(model.overlay, None | Some(Overlay::Name(..)));
     let focused = pane == FORM && in_front;
     let purpose = purpose(area);
-    let bottom = area.height - foot(model, area);
     let shown = visible(model, pane, area);
     for (y, row) in (0..).zip(&shown) {
         let chosen = *row == model.form.selected;
@@ -34,8 +33,8 @@ pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     let lines = wrapped(&text, usize::from(area.width - 2)).into_iter().take(MAX_NOTE_LINES);
     sheet.put_lines((1, shown.len() as u16 + 1), lines, style(theme));
     let after = area.height - purpose.len() as u16;
-    if after - bottom > 1 {
-        sheet.put((1, bottom), UNVERIFIED, theme.warning());
+    if is_marked(model, area) {
+        sheet.put((1, after - 2), UNVERIFIED, theme.warning());
     }
     sheet.put((1, after - 1), model.material(), theme.text());
     sheet.put_lines((1, after), &purpose, theme.quiet());
@@ -56,17 +55,16 @@ fn purpose(area: Rect) -> Vec<String> {
     }
 }
 
-/// Rows at the foot of the form.
-fn foot(model: &AppModel, area: Rect) -> u16 {
-    let purpose = purpose(area).len() as u16;
-    let marked = !unverified(&model.work.scenario).is_empty() && area.height >= TALL;
-    purpose + 1 + u16::from(marked)
+/// Whether what the mark means is said at the foot of the form.
+fn is_marked(model: &AppModel, area: Rect) -> bool {
+    !unverified(&model.work.scenario).is_empty() && area.height >= TALL
 }
 
 /// The rows that there is room for, from the top; the one with the cursor is among them.
 pub fn visible(model: &AppModel, pane: usize, area: Rect) -> Vec<FormRow> {
     let said = wrapped(&note(model, pane).0, usize::from(area.width - 2));
-    let taken = usize::from(foot(model, area)) + said.len().min(MAX_NOTE_LINES) + 1;
+    let foot = purpose(area).len() + 1 + usize::from(is_marked(model, area));
+    let taken = foot + said.len().min(MAX_NOTE_LINES) + 1;
     let room = usize::from(area.height).saturating_sub(taken);
     let rows = rows(&model.work.scenario, model.form.advanced);
     let here = rows.iter().position(|row| *row == model.form.selected);

@@ -10,8 +10,7 @@ use ratatui::layout::Rect;
 use std::iter::successors;
 use std::mem::discriminant;
 
-use crate::scenario::fields::Field;
-use crate::scenario::{Scenario, fields};
+use crate::scenario::{Scenario, fields, fields::Field};
 use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{

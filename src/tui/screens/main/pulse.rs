@@ -2,8 +2,7 @@
 
 use crate::models::pulse::Pulse;
 use crate::report::format::significant;
-use crate::scenario::problem::plain;
-use crate::scenario::{Impact, PulseShape, Scenario};
+use crate::scenario::{Impact, PulseShape, Scenario, problem::plain};
 
 /// Columns of the drawing.
 const COLUMNS: usize = 20;

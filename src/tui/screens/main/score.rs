@@ -7,8 +7,7 @@ use crate::report::figure::{Figure, PARTS, SCALE, allowing, times_its_limit, unu
 use crate::report::{format::digits, limit::alone, risks::first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::view::risks::{comes, limits, rows};
-use crate::tui::view::text::longest_fitting;
-use crate::tui::{ensemble::is_whole, screens::main::QUESTION};
+use crate::tui::{ensemble::is_whole, screens::main::QUESTION, view::text::longest_fitting};
 use crate::tui::{model::AppModel, shown::ShownAnswer, view::sheet::Sheet};
 
 /// A bar of a share of its width, the threshold at its end.

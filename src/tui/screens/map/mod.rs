@@ -5,9 +5,8 @@ mod view;
 use crate::many::map::{Grid, SIDE, Span, fill};
 use crate::many::sweep::spaced;
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
-use crate::scenario::doubt::number;
 use crate::scenario::fields::{FIELDS, Field, find};
-use crate::scenario::{Scenario, set};
+use crate::scenario::{Scenario, doubt::number, set};
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };

@@ -14,7 +14,7 @@ use crate::injury::{Blow, Injury, Known, whole as whole_percent};
 use crate::many::map::{Grid, MapReading, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
-use crate::report::picture::{Part, field::step};
+use crate::report::{picture::Part, picture::field::step};
 use crate::run::quantity::Quantity;
 use crate::scenario::{doubt::number, problem::plain, set::put_number};
 use crate::tui::screens::map::{Map, rounded};
