@@ -256,7 +256,7 @@ pub fn axis_lines(field: Rect, sheet: &mut Sheet) {
 }
 
 /// A tick's number without needless zeros.
-fn tick_label(value: f64) -> String {
+pub fn tick_label(value: f64) -> String {
     let text = significant(value);
     if text.contains('.') && !text.contains('e') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()

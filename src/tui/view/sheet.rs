@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::plain_text::printable;
-use crate::tui::view::text::{fitted, longest_fitting, width};
+use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
 use crate::tui::{look::Look, view::theme::Theme};
 
 /// The cell that lies at a share of so many, from 0 for the first to 1 for the last.
@@ -45,6 +45,13 @@ impl<'a> Sheet<'a> {
         self.part((0, y), (self.area.width, 1))
     }
 
+    /// The part of this place, row by row, of so many columns and rows of one size.
+    pub fn tile(&mut self, place: usize, (columns, rows): (u16, u16)) -> Sheet<'_> {
+        let (column, row) = (place as u16 % columns, place as u16 / columns);
+        let (wide, high) = (self.area.width / columns, self.area.height / rows);
+        self.part((column * wide, row * high), (wide, high))
+    }
+
     /// The cell at a column and row.
     pub fn cell(&mut self, (x, y): (u16, u16)) -> &mut Cell {
         &mut self.buffer[(self.area.x + x, self.area.y + y)]
@@ -72,6 +79,25 @@ impl<'a> Sheet<'a> {
         for (y, line) in (y..).zip(lines) {
             self.put((x, y), line, style);
         }
+    }
+
+    /// Writes a text in lines between two margins of `x` columns; gives the row below it.
+    pub fn put_wrapped(&mut self, (x, y): (u16, u16), text: &str, style: Style) -> u16 {
+        let lines = wrapped(text, self.area.width.saturating_sub(2 * x).into());
+        self.put_lines((x, y), &lines, style);
+        y + lines.len() as u16
+    }
+
+    /// Writes the first of some texts that there is room for, or else the last one, cut; gives the
+    /// column after it.
+    pub fn put_longest<T: AsRef<str>>(
+        &mut self,
+        (x, y): (u16, u16),
+        texts: &[T],
+        style: Style,
+    ) -> u16 {
+        let room = self.area.width.saturating_sub(x);
+        self.put((x, y), longest_fitting(texts, room), style)
     }
 
     /// Writes `text` so that it ends before column `right`.

@@ -3,7 +3,7 @@
 use super::*;
 use crate::many::map::Spot;
 use crate::run::readings::PerQuantity;
-use crate::tui::screens::map::state::DrawMap;
+use crate::tui::screens::map::DrawMap;
 
 fn drawn(effects: &[Effect]) -> Option<(u64, DrawMap)> {
     asked::<DrawMap>(effects).map(|(ticket, question)| (ticket, question.clone()))
