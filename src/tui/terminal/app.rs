@@ -8,6 +8,7 @@ use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
+use crossterm::event::KeyCode;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -15,7 +16,7 @@ use crate::scenario::library;
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, frame};
 use crate::tui::save::{SaveError, page, remove, rename, save};
-use crate::tui::terminal::clipboard::{Clipboard, clipboard, copied};
+use crate::tui::terminal::clipboard::copied;
 use crate::tui::terminal::event::{Event, leaving};
 use crate::tui::terminal::input::{Parser, TerminalInput};
 use crate::tui::terminal::pacer::{Cause, Pacer};
@@ -24,6 +25,7 @@ use crate::tui::terminal::{session::Session, system};
 use crate::tui::{choices::choices, guest::LONGEST_ANSWER, outbox::Effect, terminal::jobs::Jobs};
 
 /// How the app runs.
+#[derive(Clone, Copy)]
 pub struct Settings {
     /// Most frames a second of a replay.
     pub fps: u8,
@@ -48,7 +50,7 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
     let signals = system::signals()?;
     let session = Session::enter()?;
     system::listen(&send, signals)?;
-    let mut event_loop = EventLoop {
+    let event_loop = EventLoop {
         jobs: Jobs::new(send, settings.guest_limit.map(|_| LONGEST_ANSWER)),
         app,
         session,
@@ -56,19 +58,17 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
         pacer: system::pacer(),
         parser: Parser::default(),
         escape_since: None,
-        screen: Screen::default(),
+        shown: Buffer::default(),
+        pen: Pen::default(),
         dirty: true,
         started: Instant::now(),
         frame_time: Duration::from_secs(1) / u32::from(settings.fps.max(1)),
         last_frame: None,
         exit: None,
-        fail_on: settings.fail_on,
-        guest_limit: settings.guest_limit,
+        settings: *settings,
         last_key: Instant::now(),
     };
-    let code = event_loop.run()?;
-    let is_abandoned = event_loop.is_abandoned();
-    let app = event_loop.end();
+    let (code, is_abandoned, app) = event_loop.run()?;
     if is_abandoned {
         // An error means that nobody reads any more.
         let _ = writeln!(io::stderr(), "The session ended: no key was pressed for a while.");
@@ -76,19 +76,15 @@ pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
     Ok((code, app))
 }
 
-/// What the terminal shows, and the pen that drew it.
-#[derive(Default)]
-struct Screen {
-    shown: Buffer,
-    pen: Pen,
-}
-
 /// Does something in the folder of the person's own presets.
 fn in_folder<T>(act: impl FnOnce(&Path) -> Result<T, SaveError>) -> Result<T, SaveError> {
-    match library::folder() {
-        Some(folder) => act(&folder),
-        None => Err(SaveError::Failed("there is no home folder".to_owned())),
-    }
+    let homeless = || SaveError::Failed("there is no home folder".to_owned());
+    act(&library::folder().ok_or_else(homeless)?)
+}
+
+/// What came of something, in words.
+fn said_of(outcome: Result<String, SaveError>) -> Message {
+    Message::Said(outcome.unwrap_or_else(|error| error.to_string()))
 }
 
 struct EventLoop {
@@ -99,37 +95,35 @@ struct EventLoop {
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,
-    screen: Screen,
+    /// What the terminal shows, and the pen that drew it.
+    shown: Buffer,
+    pen: Pen,
     dirty: bool,
     started: Instant,
     frame_time: Duration,
     last_frame: Option<Instant>,
     exit: Option<u8>,
-    fail_on: Option<char>,
-    guest_limit: Option<Duration>,
+    settings: Settings,
     last_key: Instant,
 }
 
 impl EventLoop {
-    /// Leaves the terminal and stops all work.
-    fn end(self) -> App {
-        self.app
-    }
-
-    fn run(&mut self) -> io::Result<u8> {
+    /// Runs until the person leaves, then gives the terminal back and stops all work; the exit
+    /// code, whether a guest was sent away, and what was left.
+    fn run(mut self) -> io::Result<(u8, bool, App)> {
         self.session.listen_to_mouse(self.app.model.mouse)?;
         let effects = begin(&mut self.app);
         self.perform(effects)?;
         loop {
             if let Some(code) = self.exit {
                 let _ = self.wait_for_replies();
-                return Ok(code);
+                return Ok((code, self.is_abandoned(), self.app));
             }
             self.draw_if_due()?;
             match self.events.recv_timeout(self.patience()) {
                 Ok(event) => self.handle(event)?,
                 Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => return Ok(1),
+                Err(RecvTimeoutError::Disconnected) => self.exit = Some(1),
             }
             // All that has come so far goes into one frame, unless it takes longer than a frame
             // may.
@@ -149,41 +143,38 @@ impl EventLoop {
 
     /// Whether a guest has touched no key for too long.
     fn is_abandoned(&self) -> bool {
-        self.guest_limit.is_some_and(|limit| self.last_key.elapsed() >= limit)
+        self.settings.guest_limit.is_some_and(|limit| self.last_key.elapsed() >= limit)
+    }
+
+    /// When the next frame of a replay is due; at once before the first.
+    fn next_frame(&self) -> Option<Instant> {
+        self.last_frame.map(|last| last + self.frame_time)
     }
 
     /// How long nothing needs to be done if nothing happens.
     fn patience(&self) -> Duration {
-        let mut wake = None;
-        let mut at = |time: Option<Instant>| {
-            if let Some(time) = time {
-                wake = Some(wake.map_or(time, |other: Instant| other.min(time)));
-            }
+        let escape = self.escape_since.map(|since| since + self.parser.patience());
+        let guest = self.settings.guest_limit.map(|limit| self.last_key + limit);
+        let frame = if self.dirty || self.app.model.clock.playing {
+            // None comes before all others.
+            self.pacer.wake_at().max(self.next_frame())
+        } else {
+            None
         };
-        at(self.escape_since.map(|since| since + self.parser.patience()));
-        at(self.guest_limit.map(|limit| self.last_key + limit));
-        let wants_frame = self.dirty || self.app.model.clock.playing;
-        if wants_frame {
-            let due = self.last_frame.map(|last| last + self.frame_time);
-            match self.pacer.wake_at() {
-                Some(time) => at(Some(time.max(due.unwrap_or(time)))),
-                None => at(due),
-            }
-        }
+        let wake = [escape, guest, frame].into_iter().flatten().min();
         let now = Instant::now();
         wake.map_or(Duration::from_secs(3600), |time| time.saturating_duration_since(now))
     }
 
     fn draw_if_due(&mut self) -> io::Result<()> {
         let now = Instant::now();
-        let animated = self.app.model.clock.playing
-            && self
-                .last_frame
-                .is_none_or(|last| now.saturating_duration_since(last) >= self.frame_time);
-        let cause = if self.dirty { Cause::Event } else { Cause::Replay };
-        if !(self.dirty || animated) {
+        let cause = if self.dirty {
+            Cause::Event
+        } else if self.app.model.clock.playing && self.next_frame().is_none_or(|due| now >= due) {
+            Cause::Replay
+        } else {
             return Ok(());
-        }
+        };
         if !self.pacer.is_free(now, cause) {
             let probe = self.pacer.probe(now);
             return probe.map_or(Ok(()), |column| self.session.write(&question(column)));
@@ -201,13 +192,13 @@ impl EventLoop {
         let mut next = Buffer::empty(area);
         frame::draw(&self.app, &mut next);
         let mut bytes = BEGIN.to_vec();
-        if self.screen.shown.area != area {
-            self.screen = Screen { shown: Buffer::empty(area), pen: Pen::default() };
+        if self.shown.area != area {
+            (self.shown, self.pen) = (Buffer::empty(area), Pen::default());
             bytes.extend_from_slice(b"\x1b[0m\x1b[2J");
         }
         let empty = bytes.len();
-        self.screen.pen.draw(&self.screen.shown, &next, &mut bytes);
-        self.screen.shown = next;
+        self.pen.draw(&self.shown, &next, &mut bytes);
+        self.shown = next;
         if bytes.len() == empty && empty == BEGIN.len() {
             return Ok(());
         }
@@ -219,10 +210,9 @@ impl EventLoop {
     }
 
     fn handle(&mut self, event: Event) -> io::Result<()> {
-        let message = match event {
+        match event {
             Event::Bytes(bytes) => {
-                let inputs = self.parser.feed(&bytes);
-                for input in inputs {
+                for input in self.parser.feed(&bytes) {
                     if let Some(code) = leaving() {
                         self.exit = Some(code);
                         break;
@@ -230,26 +220,18 @@ impl EventLoop {
                     self.handle_input(input)?;
                 }
                 self.escape_since = self.parser.is_waiting().then(Instant::now);
-                return Ok(());
             }
-            Event::Input(input) => return self.handle_input(input),
-            Event::Resized => {
-                self.dirty = true;
-                return Ok(());
-            }
+            Event::Input(input) => self.handle_input(input)?,
+            Event::Resized => self.dirty = true,
             Event::Continued => {
                 // Whoever stopped the app may have left the terminal in any state.
                 self.session.retake()?;
                 self.repaint();
-                return Ok(());
             }
-            Event::End(code) => {
-                self.exit = Some(code);
-                return Ok(());
-            }
-            Event::News(message) => message,
-        };
-        self.send(message)
+            Event::End(code) => self.exit = Some(code),
+            Event::News(message) => self.send(message)?,
+        }
+        Ok(())
     }
 
     fn flush_escape(&mut self) -> io::Result<()> {
@@ -269,16 +251,13 @@ impl EventLoop {
         }
         match input {
             TerminalInput::Key(event) => {
-                if let (Some(fatal), crossterm::event::KeyCode::Char(c)) =
-                    (self.fail_on, event.code)
-                {
-                    assert!(c != fatal, "failed on purpose");
-                }
+                let fatal = self.settings.fail_on.map(KeyCode::Char);
+                assert!(fatal != Some(event.code), "failed on purpose");
                 self.send(Message::Key(event))
             }
             TerminalInput::Paste(text) => self.send(Message::Paste(text)),
             TerminalInput::Mouse(event) if self.app.model.mouse => {
-                let area = self.screen.shown.area;
+                let area = self.shown.area;
                 self.send(Message::Mouse(event, (area.width, area.height)))
             }
             // From before it was switched off.
@@ -316,11 +295,8 @@ impl EventLoop {
             if left.is_zero() {
                 break;
             }
-            let Ok(event) = self.events.recv_timeout(left) else {
-                break;
-            };
-            match event {
-                Event::Bytes(bytes) => {
+            match self.events.recv_timeout(left) {
+                Ok(Event::Bytes(bytes)) => {
                     for input in self.parser.feed(&bytes) {
                         if let TerminalInput::CursorReport(column) = input {
                             self.pacer.replied(Instant::now(), column);
@@ -329,13 +305,12 @@ impl EventLoop {
                         }
                     }
                 }
-                other => {
-                    let over = other.is_end();
-                    news.push(other);
-                    if over {
-                        break;
-                    }
+                Ok(end @ Event::End(_)) => {
+                    news.push(end);
+                    break;
                 }
+                Ok(other) => news.push(other),
+                Err(_) => break,
             }
         }
         news
@@ -343,43 +318,37 @@ impl EventLoop {
 
     fn repaint(&mut self) {
         // A screen of no size differs from any other.
-        self.screen = Screen::default();
+        self.shown = Buffer::default();
         self.dirty = true;
     }
 
     fn perform(&mut self, effects: Vec<Effect>) -> io::Result<()> {
         for effect in effects {
             match effect {
-                Effect::Save(name, text, replace) => self.save(name, &text, replace)?,
+                Effect::Save(name, text, replace) => {
+                    let outcome = in_folder(|folder| save(folder, &name, &text, replace));
+                    self.changed(Message::Saved(name, outcome))?;
+                }
                 Effect::Rename(from, to) => {
                     let outcome = in_folder(|folder| rename(folder, &from, &to));
-                    self.send(Message::Renamed(from, to, outcome))?;
-                    self.send(Message::Choices(choices()))?;
+                    self.changed(Message::Renamed(from, to, outcome))?;
                 }
                 Effect::Remove(name) => {
                     let outcome = in_folder(|folder| remove(folder, &name));
-                    self.send(Message::Removed(name, outcome))?;
-                    self.send(Message::Choices(choices()))?;
+                    self.changed(Message::Removed(name, outcome))?;
                 }
                 Effect::Restore(name, text) => {
                     let outcome = in_folder(|folder| save(folder, &name, &text, false));
-                    let said = match outcome {
-                        Ok(()) => format!("{name} is back: p lists it"),
-                        Err(error) => error.to_string(),
-                    };
-                    self.send(Message::Said(said))?;
-                    self.send(Message::Choices(choices()))?;
+                    let said = outcome.map(|()| format!("{name} is back: p lists it"));
+                    self.changed(said_of(said))?;
                 }
                 Effect::Page(stem, text) => {
-                    let said = match page(Path::new("."), &stem, &text) {
-                        Ok(path) => {
-                            let name = path.file_name().unwrap_or_default().to_string_lossy();
-                            let folder = std::env::current_dir().unwrap_or_default();
-                            format!("written: {name} in {}", folder.display())
-                        }
-                        Err(error) => error.to_string(),
-                    };
-                    self.send(Message::Said(said))?;
+                    let said = page(Path::new("."), &stem, &text).map(|path| {
+                        let name = path.file_name().unwrap_or_default().to_string_lossy();
+                        let folder = std::env::current_dir().unwrap_or_default();
+                        format!("written: {name} in {}", folder.display())
+                    });
+                    self.send(said_of(said))?;
                 }
                 Effect::Copy(text) => self.copy(&text)?,
                 Effect::Suspend => self.suspend()?,
@@ -393,23 +362,19 @@ impl EventLoop {
         Ok(())
     }
 
-    fn save(&mut self, name: String, text: &str, replace: bool) -> io::Result<()> {
-        let outcome = in_folder(|folder| save(folder, &name, text, replace));
-        let is_saved = outcome.is_ok();
-        self.send(Message::Saved(name, outcome))?;
-        if is_saved {
-            self.send(Message::Choices(choices()))?;
-        }
-        Ok(())
+    /// Says what came of a change of the person's presets, and which there are now.
+    fn changed(&mut self, outcome: Message) -> io::Result<()> {
+        self.send(outcome)?;
+        self.send(Message::Choices(choices()))
     }
 
     /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as
     /// well, since tmux may pass on one or the other.
     fn copy(&mut self, text: &str) -> io::Result<()> {
-        let said = match clipboard(|name| std::env::var(name).ok()) {
-            Clipboard::None => "this terminal has no clipboard",
-            way => {
-                self.session.write(copied(text, way).as_bytes())?;
+        let said = match copied(text, |name| std::env::var(name).ok()) {
+            None => "this terminal has no clipboard",
+            Some(bytes) => {
+                self.session.write(bytes.as_bytes())?;
                 "summary sent to the clipboard"
             }
         };
@@ -422,7 +387,7 @@ impl EventLoop {
         let mut news = self.wait_for_replies();
         // Who asks twice wants to stop once.
         news.retain(|event| !event.is_suspend());
-        if !news.iter().any(Event::is_end) {
+        if !news.iter().any(|event| matches!(event, Event::End(_))) {
             self.session.leave();
             system::stop()?;
             self.session.resume()?;

@@ -22,22 +22,19 @@ impl Jobs {
     /// No threads yet; what they will say goes to `send`. What takes longer than `limit` is
     /// stopped.
     pub(super) fn new(send: SyncSender<Event>, limit: Option<Duration>) -> Self {
-        let workers = HashMap::new();
-        Self { send, limit, workers }
+        Self { send, limit, workers: HashMap::new() }
     }
 
     /// Hands a request to the thread of its kind.
     pub(super) fn start(&mut self, request: Request) -> io::Result<()> {
-        let (send, limit) = (&self.send, self.limit);
         let kind = request.kind();
         let worker = match self.workers.entry(kind) {
             Entry::Occupied(there) => there.into_mut(),
             Entry::Vacant(none) => {
-                let send = send.clone();
-                none.insert(Worker::start(limit, kind.1, move |report| {
-                    // Nobody listens once the app is leaving.
-                    let _ = send.send(Event::News(Message::News(report)));
-                })?)
+                let send = self.send.clone();
+                // Nobody listens once the app is leaving.
+                let tell = move |report| drop(send.send(Event::News(Message::News(report))));
+                none.insert(Worker::start(self.limit, kind.1, tell)?)
             }
         };
         worker.submit(request);

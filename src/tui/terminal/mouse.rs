@@ -15,11 +15,8 @@ pub const OFF: &[u8] = b"\x1b[?1002l\x1b[?1006l";
 /// letter. Buttons that mean nothing to the app give nothing.
 pub fn report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
     let text = std::str::from_utf8(numbers).ok()?;
-    let mut parts = text.split(';').map(str::parse::<u16>);
-    let (button, column, row) = (parts.next()?.ok()?, parts.next()?.ok()?, parts.next()?.ok()?);
-    if parts.next().is_some() {
-        return None;
-    }
+    let numbers: Vec<u16> = text.split(';').map(str::parse).collect::<Result<_, _>>().ok()?;
+    let [button, column, row] = numbers.try_into().ok()?;
     let kind = match (button & !0b1_1100, last) {
         (0, b'M') => MouseEventKind::Down(MouseButton::Left),
         (0, b'm') => MouseEventKind::Up(MouseButton::Left),

@@ -162,10 +162,7 @@ impl Pacer {
             self.open.iter_mut().for_each(|q| q.given_up = true);
             self.silences += 1;
         }
-        let most = match cause {
-            Cause::Replay => 0,
-            Cause::Event => 1,
-        };
+        let most = usize::from(cause == Cause::Event);
         self.waiting().count() <= most && self.free_at.is_none_or(|at| now >= at)
     }
 
@@ -190,8 +187,7 @@ impl Pacer {
         if !self.asks() {
             return Duration::ZERO;
         }
-        let slowest = self.samples.iter().map(|(_, seconds)| *seconds);
-        let slowest = slowest.fold(FAREWELL.0, f64::max);
+        let slowest = self.samples.iter().fold(FAREWELL.0, |most, (_, seconds)| seconds.max(most));
         Duration::from_secs_f64((2.0 * slowest).min(FAREWELL.1))
     }
 
@@ -208,11 +204,16 @@ mod tests {
 
     const SHORT: Duration = Duration::from_millis(50);
 
+    fn fresh() -> (Pacer, Instant) {
+        (Pacer::default(), Instant::now())
+    }
+
     #[test]
     fn a_replay_waits_for_the_reply_and_a_key_for_all_but_one() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
+        let (mut pacer, start) = fresh();
         assert!(pacer.is_free(start, Replay));
+        // Nobody asked for that.
+        pacer.replied(start, 1);
         let first = pacer.sent(start, 1000).unwrap();
         assert!(!pacer.is_free(start + SHORT, Replay));
         assert!(pacer.is_free(start + SHORT, Event));
@@ -227,18 +228,8 @@ mod tests {
     }
 
     #[test]
-    fn a_reply_nobody_asked_for_frees_nothing() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
-        pacer.replied(start, 1);
-        pacer.sent(start, 1000);
-        assert!(!pacer.is_free(start + SHORT, Replay));
-    }
-
-    #[test]
     fn a_late_first_reply_does_not_free_the_frame_after_its_own() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
+        let (mut pacer, start) = fresh();
         let first = pacer.sent(start, 1000).unwrap();
         let later = start + PATIENCE;
         assert!(pacer.is_free(later, Replay));
@@ -249,19 +240,18 @@ mod tests {
         assert!(pacer.is_free(later + 2 * SHORT, Replay));
     }
 
-    /// A pacer whose terminal answered once and has another frame under way since `start`.
-    fn answering(start: Instant) -> (Pacer, u8) {
-        let mut pacer = Pacer::default();
+    /// A pacer whose terminal answered once and has another frame under way since then.
+    fn answering() -> (Pacer, Instant, u8) {
+        let (mut pacer, start) = fresh();
         let first = pacer.sent(start, 1000).unwrap();
         pacer.replied(start, first);
         let column = pacer.sent(start, 1000).unwrap();
-        (pacer, column)
+        (pacer, start, column)
     }
 
     #[test]
     fn a_terminal_that_is_stopped_gets_one_frame_more_and_goes_on_with_its_first_reply() {
-        let start = Instant::now();
-        let (mut pacer, column) = answering(start);
+        let (mut pacer, start, column) = answering();
         let (mut frames, mut probes) = (0, Vec::new());
         for tenth in 0..36_000 {
             let now = start + Duration::from_millis(100 * tenth);
@@ -286,8 +276,7 @@ mod tests {
 
     #[test]
     fn a_lost_reply_costs_one_bare_question() {
-        let start = Instant::now();
-        let (mut pacer, _) = answering(start);
+        let (mut pacer, start, _) = answering();
         let now = start + PATIENCE;
         assert_eq!(pacer.wake_at(), Some(now));
         assert!(pacer.probe(start + SHORT).is_none());
@@ -299,8 +288,7 @@ mod tests {
 
     #[test]
     fn a_terminal_without_columns_answers_in_turn() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
+        let (mut pacer, start) = fresh();
         for _ in 0..20 {
             assert!(pacer.is_free(start, Replay));
             pacer.sent(start, 1000);
@@ -310,8 +298,7 @@ mod tests {
 
     #[test]
     fn a_terminal_that_never_answers_gets_a_budget_of_bytes() {
-        let mut pacer = Pacer::default();
-        let mut now = Instant::now();
+        let (mut pacer, mut now) = fresh();
         for _ in 0..MAX_SILENCES {
             assert!(pacer.asks());
             pacer.sent(now, 1000);
@@ -330,8 +317,7 @@ mod tests {
     #[test]
     fn the_last_replies_are_waited_for_as_long_as_they_may_take() {
         let after = |delay: u64| {
-            let mut pacer = Pacer::default();
-            let start = Instant::now();
+            let (mut pacer, start) = fresh();
             let column = pacer.sent(start, 1000).unwrap();
             pacer.replied(start + Duration::from_millis(delay), column);
             pacer.farewell()
@@ -345,8 +331,7 @@ mod tests {
 
     #[test]
     fn a_local_console_is_neither_asked_nor_waited_for() {
-        let mut pacer = Pacer::local();
-        let start = Instant::now();
+        let (mut pacer, start) = (Pacer::local(), Instant::now());
         assert_eq!(pacer.sent(start, 1_000_000), None);
         assert!(!pacer.asks() && !pacer.awaits() && !pacer.is_slow());
         assert!(pacer.is_free(start, Replay));
@@ -355,8 +340,7 @@ mod tests {
     #[test]
     fn a_slow_link_is_noticed() {
         let slow = |rate: f64| {
-            let mut pacer = Pacer::default();
-            let mut now = Instant::now();
+            let (mut pacer, mut now) = fresh();
             for bytes in [50, 3000, 500, 2000, 300] {
                 let column = pacer.sent(now, bytes).unwrap();
                 now += Duration::from_millis(200) + Duration::from_secs_f64(bytes as f64 / rate);

@@ -34,7 +34,7 @@ impl Session {
             // A worker's panic must not leave an app behind that waits for it.
             std::process::exit(101);
         }));
-        system::restore_on_abort(is_entered)?;
+        system::restore_on_abort(|| ENTERED.load(Ordering::SeqCst))?;
         let mut session = Self { out };
         session.resume()?;
         Ok(session)
@@ -82,11 +82,6 @@ impl Drop for Session {
     fn drop(&mut self) {
         self.leave();
     }
-}
-
-/// Whether the terminal is in the app's hands.
-fn is_entered() -> bool {
-    ENTERED.load(Ordering::SeqCst)
 }
 
 /// Gives back what can be given back of a terminal that does not read, and ends the program.

@@ -14,7 +14,7 @@ use signal_hook::consts::{
     SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
     SIGWINCH,
 };
-use signal_hook::iterator;
+use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
 
 use crate::run::threads;
@@ -73,18 +73,14 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
     Ok(())
 }
 
-/// The signals that are listened to, from now on.
-pub(super) struct Signals(iterator::Signals);
-
 /// Listens to every signal that would end or stop the app and leave the terminal as it is.
 pub(super) fn signals() -> io::Result<Signals> {
-    let all =
-        [SIGWINCH, SIGCONT, SIGXFSZ, SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM];
-    Ok(Signals(iterator::Signals::new(all)?))
+    let ends = [SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM];
+    Signals::new(ends.into_iter().chain([SIGWINCH, SIGCONT, SIGXFSZ]))
 }
 
 /// Sends what is typed and which signals come.
-pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) -> io::Result<()> {
+pub(super) fn listen(send: &SyncSender<Event>, mut signals: Signals) -> io::Result<()> {
     let sender = send.clone();
     threads::start(move || {
         let mut told = false;
@@ -123,17 +119,17 @@ const BITE: usize = 256;
 fn read_keyboard(send: &SyncSender<Event>) {
     let mut keyboard = io::stdin().lock();
     let mut bytes = [0; BITE];
-    loop {
+    let mut is_open = true;
+    while is_open {
         let event = match keyboard.read(&mut bytes) {
-            Ok(0) => Event::hangup(),
-            Ok(count) => Event::Bytes(bytes[..count].to_vec()),
+            Ok(count @ 1..) => Event::Bytes(bytes[..count].to_vec()),
             Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(_) => Event::hangup(),
+            _ => {
+                is_open = false;
+                Event::hangup()
+            }
         };
-        let over = event.is_end();
-        if send.send(event).is_err() || over {
-            return;
-        }
+        is_open &= send.send(event).is_ok();
     }
 }
 

@@ -45,18 +45,17 @@ pub(super) fn restore_on_abort(_is_entered: fn() -> bool) -> io::Result<()> {
 }
 
 /// There are none.
-pub(super) struct Signals;
-
-/// There are none.
-pub(super) fn signals() -> io::Result<Signals> {
-    Ok(Signals)
+#[expect(clippy::unnecessary_wraps, reason = "other systems may refuse")]
+pub(super) fn signals() -> io::Result<()> {
+    Ok(())
 }
 
 /// Sends what is typed and when the window changes.
-pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
+pub(super) fn listen(send: &SyncSender<Event>, (): ()) -> io::Result<()> {
     let send = send.clone();
     threads::start(move || {
-        loop {
+        let mut is_open = true;
+        while is_open {
             let event = match console::read() {
                 Ok(console::Event::Key(key)) if key.kind != KeyEventKind::Release => {
                     Event::Input(TerminalInput::Key(key))
@@ -65,12 +64,12 @@ pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
                 Ok(console::Event::Paste(text)) => Event::Input(TerminalInput::Paste(text)),
                 Ok(console::Event::Resize(..)) => Event::Resized,
                 Ok(_) => continue,
-                Err(_) => Event::hangup(),
+                Err(_) => {
+                    is_open = false;
+                    Event::hangup()
+                }
             };
-            let over = event.is_end();
-            if send.send(event).is_err() || over {
-                return;
-            }
+            is_open &= send.send(event).is_ok();
         }
     })
 }
