@@ -116,7 +116,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
     for x in 0..foot.area.width {
-        foot.put((x, 0), "─", theme.line());
+        foot.put((x, 0), "─", theme.quiet());
     }
     // What is believed comes first, and last what does not count here.
     let mut sentences = vec![format!("{}: {}", risk.injury.name(), risk.words())];

@@ -22,7 +22,7 @@ const FOOT: u16 = 1;
 /// What each mark of shade says without colours, from least to most.
 const SHADES: [&str; 4] = ["·", "░", "▒", "▓"];
 
-/// What is drawn.
+/// What is drawn: the strains of which eye.
 pub struct Fundus<'a> {
     /// The strains.
     pub sectors: &'a Sectors,
@@ -30,19 +30,29 @@ pub struct Fundus<'a> {
     pub side: Side,
 }
 
+/// Where a ring begins and ends, its strains, and by how many sectors they are turned.
+struct Ring<'a> {
+    ends: (f64, f64),
+    strains: &'a [f64],
+    shift: f64,
+}
+
 impl Fundus<'_> {
-    /// The place of a sector of so many, counted towards the nose, that lies at this turn of the
-    /// clock, and how far from its middle that is, in sectors.
-    fn sector(&self, turn: f64, count: usize, shift: f64) -> (usize, f64) {
-        let turn = self.side.turn(turn);
-        let at = turn / TAU * count as f64 - shift;
-        ((at.round().rem_euclid(count as f64)) as usize % count, at - at.round())
+    fn rings(&self) -> [Ring<'_>; 2] {
+        let Sectors { edge, back, .. } = self.sectors;
+        [
+            Ring { ends: OUTER, strains: edge, shift: 0.0 },
+            Ring { ends: INNER, strains: back, shift: 0.5 },
+        ]
     }
 
-    /// The strains, whose scale is that of the greatest.
-    fn most(&self) -> f64 {
-        let all = self.sectors.edge.iter().chain(&self.sectors.back);
-        all.copied().fold(0.0, f64::max)
+    /// The strain of a ring at a turn of the clock, and how far from the middle of its sector that
+    /// is, in sectors; they are counted towards the nose.
+    fn strain(&self, ring: &Ring, turn: f64) -> (f64, f64) {
+        let count = ring.strains.len() as f64;
+        let at = self.side.turn(turn) / TAU * count - ring.shift;
+        let sector = at.round().rem_euclid(count) as usize % ring.strains.len();
+        (ring.strains[sector], at - at.round())
     }
 
     fn style(theme: Theme, share: f64) -> (Style, &'static str) {
@@ -68,17 +78,19 @@ impl Fundus<'_> {
         // A row above and below holds the hours.
         let radius = (f64::from(rows - 2) / 2.0).min(f64::from(area.width - 8) / 2.0 / ASPECT);
         let centre = (f64::from(area.width) / 2.0, f64::from(HEAD) + f64::from(rows) / 2.0);
-        let most = self.most().max(f64::MIN_POSITIVE);
+        let rings = self.rings();
+        let all = rings.iter().flat_map(|ring| ring.strains.iter().copied());
+        let most = all.fold(f64::MIN_POSITIVE, f64::max);
         for y in 0..rows {
             for x in 0..area.width {
                 let across = (f64::from(x) + 0.5 - centre.0) / ASPECT;
                 let up = centre.1 - (f64::from(y + HEAD) + 0.5);
                 let (from, turn) = (across.hypot(up) / radius, across.atan2(up));
-                let Some((value, off, count)) = self.at(from, turn) else {
-                    continue;
-                };
+                let within = |ring: &&Ring| (ring.ends.0..=ring.ends.1).contains(&from);
+                let Some(ring) = rings.iter().find(within) else { continue };
+                let (value, off) = self.strain(ring, turn);
                 // A dark gap between two sectors, about half a row wide.
-                let gap = (0.5 - off.abs()) * TAU / count as f64 * from * radius;
+                let gap = (0.5 - off.abs()) * TAU / ring.strains.len() as f64 * from * radius;
                 if gap > 0.3 {
                     let (style, shade) = Self::style(theme, value / most);
                     sheet.put((x, y + HEAD), shade, style);
@@ -94,42 +106,23 @@ impl Fundus<'_> {
             let left = (x - f64::from(width(text)) / 2.0).round().max(0.0) as u16;
             sheet.put((left, y), text, style);
         };
-        let middle = |(from, to): (f64, f64)| 0.5 * (from + to);
-        let figure = |value: f64| format!("{:.0}", 100.0 * value);
-        for hour in 0..HOURS {
-            let turn = TAU * hour as f64 / HOURS as f64;
-            let value = self.sectors.edge[self.sector(turn, HOURS, 0.0).0];
-            let (style, _) = Self::style(theme, value / most);
-            write(place(middle(OUTER), turn), &figure(value), style);
-            let name = if hour == 0 { HOURS } else { hour }.to_string();
-            let outside = 1.0 + 0.9 / radius;
-            write(place(outside, turn), &name, theme.strong());
+        for ring in &rings {
+            let count = ring.strains.len();
+            for turn in (0..count).map(|i| TAU * (i as f64 + ring.shift) / count as f64) {
+                let (value, _) = self.strain(ring, turn);
+                let (style, _) = Self::style(theme, value / most);
+                let middle = 0.5 * (ring.ends.0 + ring.ends.1);
+                write(place(middle, turn), &format!("{:.0}", 100.0 * value), style);
+            }
         }
-        for quarter in 0..4 {
-            let turn = TAU * (f64::from(quarter) + 0.5) / 4.0;
-            let value = self.sectors.back[self.sector(turn, 4, 0.5).0];
-            let (style, _) = Self::style(theme, value / most);
-            write(place(middle(INNER), turn), &figure(value), style);
+        for hour in 1..=HOURS {
+            let outside = place(1.0 + 0.9 / radius, TAU * (hour % HOURS) as f64 / HOURS as f64);
+            write(outside, &hour.to_string(), theme.strong());
         }
         let nose = self.side.turn(0.25 * TAU);
         write(place(0.0, 0.0), "+", theme.text());
         write(place(0.2, nose), "o", theme.text());
         self.words(sheet);
-    }
-
-    /// The strain at a share of the radius and a turn of the clock, the distance from the middle
-    /// of its sector, in sectors, and how many there are.
-    fn at(&self, from: f64, turn: f64) -> Option<(f64, f64, usize)> {
-        let within = |(low, high): (f64, f64)| (low..=high).contains(&from);
-        if within(OUTER) {
-            let (sector, off) = self.sector(turn, HOURS, 0.0);
-            Some((self.sectors.edge[sector], off, HOURS))
-        } else if within(INNER) {
-            let (sector, off) = self.sector(turn, 4, 0.5);
-            Some((self.sectors.back[sector], off, 4))
-        } else {
-            None
-        }
     }
 
     /// Heading, sides and legend.
@@ -160,35 +153,26 @@ mod tests {
     use super::*;
     use crate::tui::look::Look;
     use crate::tui::terminal::caps::{Depth, Symbols};
-    use ratatui::buffer::Buffer;
+    use ratatui::buffer::{Buffer, Cell};
     use ratatui::layout::Rect;
 
     fn drawn(side: Side) -> Vec<String> {
-        let mut sectors = Sectors::default();
-        for (i, value) in sectors.edge.iter_mut().enumerate() {
-            *value = 0.01 * (i + 10) as f64;
-        }
-        sectors.back = [0.01, 0.02, 0.03, 0.04];
+        let edge = std::array::from_fn(|i| 0.01 * (i + 10) as f64);
+        let sectors = &Sectors { edge, back: [0.01, 0.02, 0.03, 0.04], ..Sectors::default() };
         let area = Rect::new(0, 0, 60, 20);
         let mut buffer = Buffer::empty(area);
         let look = Look::new(Depth::TwoFiveSix, Symbols::Braille);
-        let sectors = &sectors;
         Fundus { sectors, side }.draw(&mut Sheet::new(&mut buffer, area, look));
-        let row = |y| (0..area.width).map(move |x| (x, y));
-        let text = |y| row(y).map(|at| buffer[at].symbol().to_owned()).collect();
-        (0..area.height).map(text).collect()
+        let rows = buffer.content.chunks(area.width.into());
+        rows.map(|row| row.iter().map(Cell::symbol).collect()).collect()
     }
 
     #[test]
     fn the_nasal_hour_lies_at_3_of_a_right_eye_and_at_9_of_a_left_one() {
-        let middle = |side| drawn(side)[10].clone();
         // Sector 3 is the nose, 13 %; sector 9 the temple, 19 %.
-        let places = |side| {
-            let row = middle(side);
-            (row.find("13").unwrap(), row.find("19").unwrap())
-        };
+        let places = |side| ["13", "19"].map(|figure| drawn(side)[10].find(figure).unwrap());
         let (right, left) = (places(Side::Right), places(Side::Left));
-        assert!(right.0 > right.1 && left.0 < left.1);
+        assert!(right[0] > right[1] && left[0] < left[1]);
         assert!(drawn(Side::Left)[0].contains("left eye"));
     }
 

@@ -29,8 +29,7 @@ impl HeatMap {
 /// the largest force.
 pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
     let top = if largest > 0.0 { largest.log2().floor() as i32 } else { 0 };
-    let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
-    (0..steps).map(|step| 2f64.powi(top - above(step))).collect()
+    (0..steps as i32).rev().map(|below| 2f64.powi(top - below)).collect()
 }
 
 /// The step of a force; 0 below the first threshold.
@@ -59,8 +58,7 @@ mod tests {
         assert_eq!(thresholds(64.0, 2), [32.0, 64.0]);
         assert_eq!(thresholds(0.0, 2), [0.5, 1.0]);
         let steps = thresholds(73.0, 5);
-        let found: Vec<usize> =
-            [0.0, 3.9, 4.0, 63.0, 73.0].map(|force| step_of(force, &steps)).to_vec();
+        let found = [0.0, 3.9, 4.0, 63.0, 73.0].map(|force| step_of(force, &steps));
         assert_eq!(found, [0, 0, 1, 4, 5]);
     }
 }

@@ -12,7 +12,6 @@ pub mod palette;
 pub mod picker;
 pub mod picture;
 pub mod popup;
-mod projection;
 pub mod raster;
 pub mod risks;
 pub mod sheet;

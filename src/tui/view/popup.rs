@@ -17,11 +17,11 @@ pub fn frame<'a>(title: &str, (wide, high): (u16, u16), sheet: &'a mut Sheet) ->
     let (x, y) = ((area.width - wide) / 2, (area.height - high) / 2);
     let place = sheet.part((x, y), (wide, high)).area;
     let title = Line::from(vec![
-        Span::styled("─", theme.line()),
+        Span::styled("─", theme.quiet()),
         Span::styled(format!(" {} ", printable(title)), theme.heading()),
     ]);
     Clear.render(place, sheet.buffer);
-    let block = Block::bordered().style(theme.line()).title(title);
+    let block = Block::bordered().style(theme.quiet()).title(title);
     block.render(place, sheet.buffer);
     sheet.part((x + 2, y + 1), (wide - MARGIN, high - 2))
 }

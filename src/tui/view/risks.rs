@@ -28,10 +28,8 @@ pub const SIGN_ROWS: u16 = 2;
 /// The signs that need an eye doctor, in the longest words that fit into [`SIGN_ROWS`].
 pub fn signs(room: u16) -> Vec<String> {
     let [short, shortest] = SHORT_SIGNS;
-    let texts = [SIGNS, short].map(|text| wrapped(text, room.into()));
-    let fits = |lines: &Vec<String>| lines.len() <= SIGN_ROWS.into();
-    let long = texts.into_iter().find(fits);
-    long.unwrap_or_else(|| wrapped(shortest, room.into()))
+    let fits = |text: &&str| wrapped(text, room.into()).len() <= SIGN_ROWS.into();
+    wrapped([SIGNS, short].into_iter().find(fits).unwrap_or(shortest), room.into())
 }
 
 /// Whether finer meshes and inputs are still to come, which widen the ranges.
@@ -49,19 +47,14 @@ pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
 /// An injury and what is said of it, in the longest words that there is room for.
 pub fn longest(risk: &Risk, room: usize) -> String {
     let (name, word, percent) = (risk.injury.name(), risk.injury.word(), risk.percent());
-    let mut forms = risk.forms();
-    forms.truncate(3);
-    let others = if risk.bursts() { ", others too" } else { "" };
-    let short = format!("{}{others}", forms[2]);
-    if risk.bursts() {
-        for form in &mut forms {
-            form.extend(["; ", BURST]);
-        }
-    }
-    let mut texts: Vec<String> = forms.iter().map(|form| format!("{name}: {form}")).collect();
+    let forms = risk.forms();
+    let (others, burst) =
+        if risk.bursts() { (", others too", format!("; {BURST}")) } else { ("", String::new()) };
+    let long = forms.iter().take(3).map(|form| format!("{name}: {form}{burst}"));
+    let mut texts: Vec<String> = long.collect();
     texts.extend([
-        format!("{name}: {short}"),
-        format!("{word}: {short}"),
+        format!("{name}: {}{others}", forms[2]),
+        format!("{word}: {}{others}", forms[2]),
         format!("{name}: {percent}{others}"),
         format!("{word}: {percent}{others}"),
     ]);
@@ -74,31 +67,16 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
     let half = with_unit(&digits(risk.injury.curve().half * row.factor, 2), row.unit);
-    let texts = [
-        format!("{} {felt}; half of all eyes are hurt at {half}", row.label),
-        format!("{} {felt}; half are hurt at {half}", row.label),
-        format!("{felt}; half are hurt at {half}"),
-    ];
+    let short = format!("{felt}; half are hurt at {half}");
+    let long = format!("{} {felt}; half of all eyes are hurt at {half}", row.label);
+    let texts = [long, format!("{} {short}", row.label), short];
     longest_fitting(&texts, room).to_owned()
 }
 
 /// How what is said of an injury stands in columns: where its word begins, and where its middle,
 /// its range and the BB end.
-struct Columns {
-    word: u16,
-    about: u16,
-    range: u16,
-    like: u16,
-}
-
-const NARROW: Columns = Columns { word: 14, about: 34, range: 43, like: 50 };
-const BROAD: Columns = Columns { word: 20, about: 51, range: 60, like: 70 };
-
-impl Columns {
-    fn of(wide: u16) -> Option<Self> {
-        [BROAD, NARROW].into_iter().find(|columns| columns.like <= wide)
-    }
-}
+const NARROW: [u16; 4] = [14, 34, 43, 50];
+const BROAD: [u16; 4] = [20, 51, 60, 70];
 
 /// An injury's name of at most 13 letters.
 fn short_name(injury: Injury) -> &'static str {
@@ -113,9 +91,7 @@ fn short_name(injury: Injury) -> &'static str {
 
 /// What is said in words, in signs.
 fn in_signs(text: &str) -> String {
-    [("at least ", "≥"), ("under ", "<"), ("over ", ">")]
-        .into_iter()
-        .fold(text.to_owned(), |text, (words, sign)| text.replace(words, sign))
+    text.replace("at least ", "≥").replace("under ", "<").replace("over ", ">")
 }
 
 /// The fewest columns of a bar.
@@ -135,18 +111,15 @@ pub fn rows(
     let sheet = &mut sheet.at(area);
     let theme = sheet.theme;
     sheet.put((0, 0), heading, style);
-    let columns = Columns::of(area.width);
-    let bar = columns.as_ref().map_or(0, |columns| columns.like + 2);
+    let columns = [BROAD, NARROW].into_iter().find(|columns| columns[3] <= area.width);
+    let tight = columns == Some(NARROW);
+    let bar = columns.map_or(0, |[.., like]| like + 2);
     let bar = Rect { x: area.x + bar, width: area.width.saturating_sub(bar + 1), ..area };
     let with_bar = columns.is_some() && bar.width >= SHORTEST;
-    let tight = columns.as_ref().is_some_and(|columns| columns.word == NARROW.word);
-    if let Some(columns) = &columns {
-        for (right, text) in [
-            (columns.about, "about"),
-            (columns.range, "range"),
-            (columns.like, if tight { "BB m/s" } else { "like a BB" }),
-        ] {
-            sheet.put_right((right, 0), text, theme.quiet());
+    if let Some([_, ends @ ..]) = columns {
+        let heads = ["about", "range", if tight { "BB m/s" } else { "like a BB" }];
+        for (right, head) in ends.into_iter().zip(heads) {
+            sheet.put_right((right, 0), head, theme.quiet());
         }
     }
     if with_bar {
@@ -161,39 +134,37 @@ pub fn rows(
         if here {
             sheet.buffer[(area.x - 1, area.y + y)].set_char('▸').set_style(theme.strong());
         }
-        let Some(columns) = &columns else {
+        let Some([word, about, range, like]) = columns else {
             let said = longest(risk, usize::from(area.width));
             let end = said.split(':').next().unwrap_or_default();
             sheet.put((0, y), &said, style);
             sheet.put((0, y), end, name);
             continue;
         };
-        let (own, word) = if tight {
-            let word = risk.word().replace(" to almost certain", "-certain");
-            (short_name(risk.injury), word.replace(" to ", "-"))
+        let (own, said) = if tight {
+            let said = risk.word().replace(" to almost certain", "-certain");
+            (short_name(risk.injury), said.replace(" to ", "-"))
         } else {
             (risk.injury.name(), risk.word())
         };
         sheet.put((0, y), own, name);
-        sheet.put((columns.word, y), &word, style);
-        sheet.put_right((columns.range, y), in_signs(&risk.percent()), style);
+        sheet.put((word, y), &said, style);
+        sheet.put_right((range, y), in_signs(&risk.percent()), style);
         if risk.usable {
-            let about = in_signs(&whole(risk.risk));
-            sheet.put_right((columns.about, y), &about, theme.text());
-            let like = match risk.equivalent {
+            sheet.put_right((about, y), in_signs(&whole(risk.risk)), theme.text());
+            let speed = match risk.equivalent {
                 Equivalent::Under(speed) => format!("<{speed:.0}"),
                 Equivalent::At(speed) => format!("{speed:.0}"),
                 Equivalent::Over(speed) => format!(">{speed:.0}"),
             };
             let unit = if tight { "" } else { " m/s" };
-            sheet.put_right((columns.like, y), &(like + unit), theme.text());
+            sheet.put_right((like, y), speed + unit, theme.text());
         }
         if with_bar {
             draw_bar(risk, &mut sheet.at(below(bar, y)));
         }
         if each > 1 {
-            let felt = felt(answer, risk, area.width - 2);
-            sheet.put((2, y + 1), &felt, theme.quiet());
+            sheet.put((2, y + 1), felt(answer, risk, area.width - 2), theme.quiet());
         }
     }
 }
@@ -238,9 +209,8 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         let counting = counting(model, answer);
         let wider = wider(model, answer);
         // What still widens the ranges is said before it is cut off.
-        let first = counting.iter().map(String::as_str);
-        let rest = wider.iter().map(String::as_str);
-        for part in first.chain(notes).chain(flags).chain(rest) {
+        let first = counting.as_deref().into_iter();
+        for part in first.chain(notes).chain(flags).chain(wider.as_deref()) {
             if !said.iter().any(|other| other == part) {
                 said.push(part.to_owned());
             }

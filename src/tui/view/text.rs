@@ -1,6 +1,6 @@
 //! Words in cells.
 
-use ratatui::buffer::Buffer;
+use ratatui::buffer::{Buffer, Cell};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::report::format::{self, digits};
@@ -16,19 +16,15 @@ pub fn fitted(text: &str, room: usize) -> String {
     if text.width() <= room {
         return text.to_owned();
     }
-    let mut cut = String::new();
+    if room == 0 {
+        return String::new();
+    }
     let mut used = 1;
-    for c in text.chars() {
+    let fits = |c: &char| {
         used += c.width().unwrap_or(0);
-        if used > room {
-            break;
-        }
-        cut.push(c);
-    }
-    if room > 0 {
-        cut.push('…');
-    }
-    cut
+        used <= room
+    };
+    text.chars().take_while(fits).chain(['…']).collect()
 }
 
 /// A text in lines of at most so many cells; a word that is longer is cut.
@@ -68,10 +64,8 @@ pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
 
 /// A number in so many cells: four digits, or as many as there is room for.
 pub fn numeral(value: f64, room: u16) -> String {
-    let shortest = format!("{value:.0e}");
-    let written = (1..=4).rev().map(|count| digits(value, count));
-    let mut fitting = written.filter(|text| width(text) <= room);
-    fitting.next().unwrap_or(shortest)
+    let mut written = (1..=4).rev().map(|count| digits(value, count));
+    written.find(|text| width(text) <= room).unwrap_or_else(|| format!("{value:.0e}"))
 }
 
 /// The names of flags in so many rows at most; none where there are none.
@@ -100,24 +94,20 @@ pub fn seen(first: usize, shown: usize, all: usize) -> String {
 
 /// Rewrites a finished screen with ASCII alone.
 pub fn to_ascii(buffer: &mut Buffer) {
-    let columns = usize::from(buffer.area.width.max(1));
-    for at in 0..buffer.content.len() {
-        // A plus alone would make a sum of a doubt: the space behind the sign takes the minus.
-        let spaced = (at + 1) % columns > 0 && buffer.content[at + 1].symbol() == " ";
-        if spaced && buffer.content[at].symbol() == "±" {
-            buffer.content[at].set_symbol("+");
-            buffer.content[at + 1].set_symbol("-");
-        }
-        // An error right behind its sign has the space before it.
-        let column = at % columns;
-        if column > 0 && column + 1 < columns && buffer.content[at].symbol() == "±" {
-            let (before, after) =
-                (buffer.content[at - 1].symbol(), buffer.content[at + 1].symbol());
-            if before == " " && after.starts_with(|c: char| c.is_ascii_digit() || "<?".contains(c))
-            {
-                buffer.content[at - 1].set_symbol("+");
-                buffer.content[at].set_symbol("-");
-            }
+    let is_figure = |c: char| c.is_ascii_digit() || "<?".contains(c);
+    for row in buffer.content.chunks_mut(usize::from(buffer.area.width.max(1))) {
+        for at in (0..row.len()).filter(|at| row[*at].symbol() == "±").collect::<Vec<_>>() {
+            let before = at.checked_sub(1).map(|at| row[at].symbol());
+            let after = row.get(at + 1).map(Cell::symbol);
+            // A plus alone would make a sum of a doubt: the space behind the sign takes the minus;
+            // an error right behind its sign has the space before it.
+            let first = match (before, after) {
+                (_, Some(" ")) => at,
+                (Some(" "), Some(error)) if error.starts_with(is_figure) => at - 1,
+                _ => continue,
+            };
+            row[first].set_symbol("+");
+            row[first + 1].set_symbol("-");
         }
     }
     for cell in &mut buffer.content {

@@ -233,7 +233,7 @@ fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
         let number = hundredths(correlation);
         sheet.put_right((LABEL + 7, row), &number, theme.text());
         let length = (correlation.abs() * f64::from(half)).round() as u16;
-        sheet.put((middle, row), "│", theme.line());
+        sheet.put((middle, row), "│", theme.quiet());
         for i in 1..=length.min(half) {
             let right = correlation > 0.0;
             let x = if right { middle + i } else { middle - i };

@@ -106,7 +106,7 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
     let parts = layout(area, model.form.advanced);
     form::draw(pane, model, &mut sheet.at(parts.form));
     for y in 0..parts.right.height {
-        sheet.put((parts.right.x - 1, y), "│", theme.line());
+        sheet.put((parts.right.x - 1, y), "│", theme.quiet());
     }
     let signs = signs(area.width);
     sheet.put_lines((0, area.height - parts.signs.height), signs, theme.heading());
@@ -116,7 +116,7 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
     };
     if parts.wide {
         for y in 0..parts.right.height {
-            sheet.put((parts.answers.x - 2, y), "│", theme.line());
+            sheet.put((parts.answers.x - 2, y), "│", theme.quiet());
         }
         traces::charts(model, shown, &mut sheet.at(parts.charts));
     }

@@ -20,7 +20,7 @@ pub(crate) struct Window {
     top: f64,
     /// Width of a column, in m; a row is twice as high.
     pub column: f64,
-    pub symbols: Symbols,
+    symbols: Symbols,
 }
 
 /// Rows from which on there is room for words above and below.
@@ -38,8 +38,7 @@ impl Window {
         let field = Self::field(area);
         let (columns, rows) = (f64::from(field.width.max(1)), f64::from(field.height.max(1)));
         let column = (2.0 * REACH_M / columns).max(REACH_M / rows);
-        let window = Self { left: -0.5 * column * columns, top: column * rows, column, symbols };
-        (window, field)
+        (Self { left: -0.5 * column * columns, top: column * rows, column, symbols }, field)
     }
 
     fn field(area: Rect) -> Rect {
@@ -61,13 +60,16 @@ impl Window {
         };
         // What is left over is room for the object; where room lacks, the back of the orbit goes.
         let spare = column * columns - wide;
-        let right = high.x
-            + match way {
-                ..0.5 => 0.5 * spare,
-                _ if spare < 0.0 => 0.75 * spare,
-                _ => 0.0,
-            };
-        Self { left: right - column * columns, top: middle + column * rows, column, symbols }
+        let beyond = match way {
+            ..0.5 => 0.5 * spare,
+            _ => 0.75 * spare.min(0.0),
+        };
+        Self {
+            left: high.x + beyond - column * columns,
+            top: middle + column * rows,
+            column,
+            symbols,
+        }
     }
 
     /// Where a place lies, in cells.
@@ -81,17 +83,17 @@ impl Window {
     }
 
     /// Points across and down a cell.
-    pub fn points(&self) -> (f64, f64) {
+    pub fn points(&self) -> (usize, usize) {
         match self.symbols {
-            Symbols::Ascii => (1.0, 1.0),
-            Symbols::Braille | Symbols::Block => (2.0, 2.0),
-            Symbols::Octant => (2.0, 4.0),
+            Symbols::Ascii => (1, 1),
+            Symbols::Braille | Symbols::Block => (2, 2),
+            Symbols::Octant => (2, 4),
         }
     }
 
     /// The smallest thing that shows, in m.
     pub fn grain(&self) -> f64 {
         let (across, down) = self.points();
-        self.column * (2.0 / (across * down)).sqrt()
+        self.column * (2.0 / (across * down) as f64).sqrt()
     }
 }
