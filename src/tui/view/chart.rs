@@ -141,8 +141,7 @@ pub fn spark(curve: TimeCurve, span: (f64, f64), now: f64, sheet: &mut Sheet) {
 /// A curve over the whole of a raster, filled down to 0.
 pub fn fill(raster: &mut Raster, curve: TimeCurve, window: f64) {
     let (curves, span) = ([curve], (0.0, window));
-    let range = range(&curves, span);
-    plot(raster, &curves, span, range, true);
+    plot(raster, &curves, span, range(&curves, span), true);
 }
 
 /// Several curves with axes and a cursor.
@@ -186,8 +185,8 @@ impl TimeChart<'_> {
         let mut raster = Raster::new(field, theme.look.symbols);
         let (columns, rows) = raster.size();
         let (start, end) = self.span;
-        let at = (self.cursor - start) / (end - start) * f64::from(columns - 1);
         if (start..=end).contains(&self.cursor) {
+            let at = (self.cursor - start) / (end - start) * f64::from(columns - 1);
             let line = Ink::solid(theme.cursor(), 0, '|').dotted(2);
             raster.line((at, 0.0), (at, f64::from(rows - 1)), line);
         }
@@ -237,11 +236,10 @@ pub fn axis_lines(field: Rect, sheet: &mut Sheet) {
 /// A tick's number without needless zeros.
 fn tick_label(value: f64) -> String {
     let text = significant(value);
-    if text.contains('.') && !text.contains('e') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
+    if text.contains('e') || !text.contains('.') {
+        return text;
     }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// Round numbers between two bounds, about so many.

@@ -98,9 +98,7 @@ impl<'a> EyePicture<'a> {
         let sheet = &mut Sheet::new(buffer, area, self.look);
         let theme = sheet.theme;
         let frames = &self.shown.answer.run.frames;
-        let Some(frame) = frames.get(nearest(frames, self.time)) else {
-            return;
-        };
+        let Some(frame) = frames.get(nearest(frames, self.time)) else { return };
         if let (MeshDetail::Anatomy, Some(field)) = (self.detail, self.field) {
             Anatomical { scene: self, frame, field }.draw(sheet);
             if self.front {
@@ -179,8 +177,7 @@ impl<'a> EyePicture<'a> {
             Impact::Projectile(object) => (object.angle_deg, None),
         };
         let angle = angle.to_radians();
-        let aimed = if self.aiming { theme.strong() } else { Style::new() };
-        let style = theme.load().patch(aimed);
+        let style = if self.aiming { theme.load().bold() } else { theme.load() };
         let ink = Ink::solid(style, BLOW, '*');
         let (tail, tip) = ARROW_M;
         raster.line(polar(angle, tail), polar(angle, tip), ink);
@@ -242,7 +239,9 @@ impl Projection {
     fn new(raster: &Raster, (wide, high): (f64, f64)) -> Self {
         let (width, height) = raster.size();
         let (width, height) = (f64::from(width), f64::from(height));
-        let aspect = raster.aspect();
+        // Height of a dot over its width, taking a cell to be twice as high as wide.
+        let (across, down) = raster.grain();
+        let aspect = 2.0 * f64::from(across) / f64::from(down);
         let scale = ((width - 1.0) / 2.0 / wide).min((height - 1.0) * aspect / 2.0 / high);
         let is_small = scale * wide < 32.0;
         Self { centre: (width / 2.0, height / 2.0), scale: (scale, scale / aspect), is_small }
@@ -373,8 +372,7 @@ impl Picture<'_> {
     /// The nodes whose forces are shown, by the first letter of their names; the one that has its
     /// peak now in reverse.
     fn monitors(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
-        let forces =
-            [Quantity::ForceCentre, Quantity::ForceFront, Quantity::ForceRight, Quantity::ForceTop];
+        use Quantity::{ForceCentre, ForceFront, ForceRight, ForceTop};
         let mark = move |(node, of): (&usize, Quantity)| {
             let letter = of.row().short.chars().next()?.to_ascii_uppercase();
             let peak = self.scene.shown.answer.peak(of)?;
@@ -382,15 +380,14 @@ impl Picture<'_> {
             let style = if is_now { self.theme.focus() } else { self.theme.strong() };
             Some((raster.cell(self.place(*node))?, letter, style))
         };
-        let nodes = self.drawing.monitors.iter().zip(forces);
-        nodes.filter_map(mark)
+        let forces = [ForceCentre, ForceFront, ForceRight, ForceTop];
+        self.drawing.monitors.iter().zip(forces).filter_map(mark)
     }
 
     /// The object as the anatomy has it.
     fn projectile(&self, raster: &mut Raster) {
-        let sides = object_sides(self.drawing, self.frame);
-        let ink = Ink::solid(Style::new().fg(self.theme.part(Part::Object, 0)), BLOW, 'o');
-        for [from, to] in sides {
+        let ink = Ink::solid(self.theme.part(Part::Object, 0).into(), BLOW, 'o');
+        for [from, to] in object_sides(self.drawing, self.frame) {
             raster.line(self.projection.dot(from), self.projection.dot(to), ink);
         }
     }

@@ -65,12 +65,6 @@ impl Raster {
         (across * i32::from(self.area.width), down * i32::from(self.area.height))
     }
 
-    /// Height of a dot over its width, taking a cell to be twice as high as wide.
-    pub fn aspect(&self) -> f64 {
-        let (across, down) = self.grain();
-        2.0 * f64::from(across) / f64::from(down)
-    }
-
     /// The cell of the buffer that holds a dot.
     pub fn cell(&self, (x, y): (f64, f64)) -> Option<(u16, u16)> {
         let (width, height) = self.size();

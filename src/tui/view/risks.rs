@@ -106,10 +106,9 @@ pub fn rows(
 ) {
     // The mark of the chosen one stands before its name.
     let mark = u16::from(chosen.is_some());
-    let area =
-        Rect { x: sheet.area.x + mark, width: sheet.area.width.saturating_sub(mark), ..sheet.area };
-    let sheet = &mut sheet.at(area);
-    let theme = sheet.theme;
+    let (wide, high) = (sheet.area.width.saturating_sub(mark), sheet.area.height);
+    let sheet = &mut sheet.part((mark, 0), (wide, high));
+    let (area, theme) = (sheet.area, sheet.theme);
     sheet.put((0, 0), heading, style);
     let columns = [BROAD, NARROW].into_iter().find(|columns| columns[3] <= area.width);
     let tight = columns == Some(NARROW);
@@ -136,9 +135,8 @@ pub fn rows(
         }
         let Some([word, about, range, like]) = columns else {
             let said = longest(risk, usize::from(area.width));
-            let end = said.split(':').next().unwrap_or_default();
             sheet.put((0, y), &said, style);
-            sheet.put((0, y), end, name);
+            sheet.put((0, y), said.split(':').next().unwrap_or_default(), name);
             continue;
         };
         let (own, said) = if tight {
@@ -152,13 +150,13 @@ pub fn rows(
         sheet.put_right((range, y), in_signs(&risk.percent()), style);
         if risk.usable {
             sheet.put_right((about, y), in_signs(&whole(risk.risk)), theme.text());
-            let speed = match risk.equivalent {
-                Equivalent::Under(speed) => format!("<{speed:.0}"),
-                Equivalent::At(speed) => format!("{speed:.0}"),
-                Equivalent::Over(speed) => format!(">{speed:.0}"),
+            let (sign, speed) = match risk.equivalent {
+                Equivalent::Under(speed) => ("<", speed),
+                Equivalent::At(speed) => ("", speed),
+                Equivalent::Over(speed) => (">", speed),
             };
             let unit = if tight { "" } else { " m/s" };
-            sheet.put_right((like, y), speed + unit, theme.text());
+            sheet.put_right((like, y), format!("{sign}{speed:.0}{unit}"), theme.text());
         }
         if with_bar {
             draw_bar(risk, &mut sheet.at(below(bar, y)));
@@ -173,8 +171,7 @@ pub fn rows(
 fn wider(model: &AppModel, answer: &Answer) -> Option<String> {
     let ensemble = model.ensemble.of(&model.shown.as_ref()?.scenario)?;
     let said = |(injury, band): &(Injury, Band)| {
-        let range = span((band.low / 100.0, band.high / 100.0));
-        format!("{} {range}", injury.word())
+        format!("{} {}", injury.word(), span((band.low / 100.0, band.high / 100.0)))
     };
     let all: Vec<String> = widened(ensemble, answer).iter().map(said).collect();
     (!all.is_empty()).then(|| format!("wider by doubt in the inputs: {}", all.join(", ")))
@@ -218,10 +215,9 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         said
     };
     let (long, brief) = (said(false), said(true));
-    let whole = [long, brief.clone()].map(|said| wrapped(&said.join("; "), room));
-    let fewer = (1..brief.len()).rev();
-    let fewer = fewer.map(|count| wrapped(&(brief[..count].join("; ") + "; F8: more"), room));
-    let mut all = whole.into_iter().chain(fewer);
+    let whole = [long.join("; "), brief.join("; ")].into_iter();
+    let fewer = (1..brief.len()).rev().map(|count| brief[..count].join("; ") + "; F8: more");
+    let mut all = whole.chain(fewer).map(|said| wrapped(&said, room));
     let fitting = all.find(|lines| lines.len() <= rows);
     fitting.unwrap_or_else(|| wrapped(brief.first().map_or("", String::as_str), room))
 }
@@ -246,7 +242,7 @@ pub fn draw_signs(sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let signs = signs(area.width - 1);
     let top = area.height.saturating_sub(signs.len() as u16);
-    sheet.put_lines((1, top), &signs, theme.heading());
+    sheet.put_lines((1, top), signs, theme.heading());
 }
 
 #[cfg(test)]
@@ -255,17 +251,13 @@ mod tests {
     use crate::injury::{Blow, Known};
     use crate::tui::view::text::width;
 
-    fn risk(injury: Injury, times: f64) -> Risk {
-        let value = times * injury.curve().half;
-        let known = Known { value, ..Known::default() };
-        injury.assess(&Blow::default(), known)
-    }
-
     #[test]
     fn every_risk_has_its_range_in_the_narrowest_place_and_a_burst_globe_the_others() {
         for injury in Injury::ALL {
             for times in [0.01, 0.5, 1.0, 1.5, 2.0, 100.0] {
-                let risk = risk(*injury, times);
+                let value = times * injury.curve().half;
+                let known = Known { value, ..Known::default() };
+                let risk = injury.assess(&Blow::default(), known);
                 for room in 34..120 {
                     let text = longest(&risk, room);
                     assert!(usize::from(width(&text)) <= room, "{text}");

@@ -87,7 +87,6 @@ impl Theme {
     /// What is chosen in a bar.
     pub fn bar_chosen(self) -> Style {
         // Where the bar is reversed this is not.
-        // Where the bar is reversed this is not.
         let chosen = on(self.colours.chosen, self.colours.chosen_ground);
         chosen.unwrap_or(PLAIN).not_reversed().bold()
     }
@@ -147,14 +146,12 @@ impl Theme {
 
     /// A step of heat; 0 is cold.
     pub fn heat(self, step: usize) -> Style {
-        let Some(step) = step.checked_sub(1) else {
-            return self.quiet();
-        };
-        let step = step.min(self.heat_steps() - 1);
-        match self.look.depth {
-            Depth::Mono if step + 2 < self.heat_steps() => PLAIN,
-            Depth::Mono => BOLD,
-            Depth::Sixteen | Depth::TwoFiveSix => PLAIN.fg(ink(self.heats()[step])),
+        let most = self.heat_steps();
+        match step {
+            0 => self.quiet(),
+            _ if !self.is_mono() => PLAIN.fg(ink(self.heats()[step.min(most) - 1])),
+            _ if step + 1 < most => PLAIN,
+            _ => BOLD,
         }
     }
 
@@ -163,13 +160,9 @@ impl Theme {
         let of = self.colours;
         let role = match part {
             Part::Sky => return Color::Reset,
-            Part::Globe => {
-                return match self.look.depth {
-                    Depth::Mono => Color::Reset,
-                    Depth::Sixteen => ink(FIELD_16[step * FIELD_16.len() / FIELD.len()]),
-                    Depth::TwoFiveSix => ink(FIELD[step]),
-                };
-            }
+            Part::Globe if self.is_mono() => return Color::Reset,
+            Part::Globe if self.look.depth == Depth::TwoFiveSix => return ink(FIELD[step]),
+            Part::Globe => return ink(FIELD_16[step * FIELD_16.len() / FIELD.len()]),
             Part::Object => of.object,
             Part::Skin => of.skin,
             Part::Fat => of.fat_ground,

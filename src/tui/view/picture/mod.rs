@@ -114,21 +114,19 @@ impl Anatomical<'_> {
         let spots = parts as f64;
         for cell in drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners)) {
             for nodes in cell.triangles() {
-                let corners =
-                    nodes.map(|node| drawing.place(self.frame, node, f64::from(self.scene.zoom)));
+                let zoom = f64::from(self.scene.zoom);
+                let corners = nodes.map(|node| drawing.place(self.frame, node, zoom));
                 let at = corners.map(|corner| window.cell(corner));
-                let span = |of: &dyn Fn(&(f64, f64)) -> f64, most: usize| {
-                    let low = at.iter().map(of).fold(f64::INFINITY, f64::min);
-                    let high = at.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+                let span = |of: [f64; 3], most: usize| {
+                    let low = of.into_iter().fold(f64::INFINITY, f64::min);
+                    let high = of.into_iter().fold(f64::NEG_INFINITY, f64::max);
                     let within = |v: f64| v.clamp(0.0, most as f64) as usize;
                     within(low)..within(high + 1.0)
                 };
-                for row in span(&|p| p.1 * spots, rows) {
-                    for column in span(&|p| p.0, columns) {
+                for row in span(at.map(|p| p.1 * spots), rows) {
+                    for column in span(at.map(|p| p.0), columns) {
                         let middle = (column as f64 + 0.5, (row as f64 + 0.5) / spots);
-                        let Some(of) = shares(corners, window.place(middle)) else {
-                            continue;
-                        };
+                        let Some(of) = shares(corners, window.place(middle)) else { continue };
                         if of.iter().all(|share| *share >= -1e-9) {
                             let parts = nodes.iter().zip(of);
                             let value: f64 = parts.map(|(node, of)| values[*node] * of).sum();
@@ -185,9 +183,8 @@ impl Anatomical<'_> {
         let ghost = self.scene.shown.anatomy.ghost();
         for at in ghost.iter().filter(|_| !self.scene.front) {
             let (x, y) = window.cell(*at);
-            let inside =
-                x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
-            if inside {
+            let (width, height) = (f64::from(area.width), f64::from(area.height));
+            if (0.0..width).contains(&x) && (0.0..height).contains(&y) {
                 let bit = 2 * (y.fract() * 4.0) as usize + (x.fract() * 2.0) as usize;
                 dots[y as usize * usize::from(area.width) + x as usize] |= 1 << bit;
             }
@@ -199,10 +196,8 @@ impl Anatomical<'_> {
     fn caption(&self, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let time = format!("{:.2} ms", self.scene.time * 1e3);
-        let zoom = match self.scene.zoom {
-            1 => String::new(),
-            times => format!(" {times}x larger"),
-        };
+        let times = self.scene.zoom;
+        let zoom = if times == 1 { String::new() } else { format!(" {times}x larger") };
         let mut x = sheet.put((0, 0), &time, theme.strong());
         let (said, brief) = moment::said(&self.scene.shown.answer, self.scene.time);
         let said = if area.width < WORDY { brief } else { &said };
@@ -235,15 +230,11 @@ impl Anatomical<'_> {
         let starts = [format!("{name} 0 "), format!("{name} "), "0 ".to_owned()];
         let legend = |start: &str| width(start) + width(&signs) + colours as u16 + width(&end);
         let room = area.width.saturating_sub(x + 2);
-        let least = legend(&starts[1]).min(room);
-        let words = longest_fitting(&words, room - least);
+        let words = longest_fitting(&words, room.saturating_sub(legend(&starts[1])));
         x = sheet.put((x, 0), words, theme.text());
         let room = area.width.saturating_sub(x + 1);
-        let Some(start) = starts.iter().find(|start| legend(start) <= room) else {
-            return;
-        };
-        let left = area.width - legend(start);
-        let mut x = sheet.put((left, 0), start, theme.quiet());
+        let Some(start) = starts.iter().find(|start| legend(start) <= room) else { return };
+        x = sheet.put((area.width - legend(start), 0), start, theme.quiet());
         x = sheet.put((x, 0), &signs, theme.text());
         for i in 0..colours {
             let last = 2 * (colours - 1);
@@ -269,10 +260,8 @@ impl Anatomical<'_> {
     fn scale(&self, window: &Window, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let sheet = &mut sheet.row(area.height - 1);
-        let (_, left, right) = match self.scene.front {
-            true => self.scene.shown.scenario.eye_side().seen(),
-            false => ("", "front", "back"),
-        };
+        let side = self.scene.shown.scenario.eye_side();
+        let (_, left, right) = if self.scene.front { side.seen() } else { ("", "front", "back") };
         sheet.put((0, 0), left, theme.quiet());
         sheet.put_right((area.width, 0), right, theme.quiet());
         let halves = (2.0 * BAR_M / window.column).round() as usize;
@@ -280,8 +269,8 @@ impl Anatomical<'_> {
         let text = " 10 mm";
         let long = width(&bar) + width(text);
         if long + 12 <= area.width {
-            let x = sheet.put(((area.width - long) / 2, 0), &bar, theme.strong());
-            sheet.put((x, 0), text, theme.quiet());
+            let end = sheet.put(((area.width - long) / 2, 0), &bar, theme.strong());
+            sheet.put((end, 0), text, theme.quiet());
         }
     }
 }
@@ -394,8 +383,7 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
         _ if theme.is_mono() => Style::new(),
         part => Style::new().fg(theme.part(part, step)),
     };
-    let bold = if part == Part::Pressed { theme.strong() } else { Style::new() };
-    (sign, style.patch(bold))
+    (sign, if part == Part::Pressed { style.bold() } else { style })
 }
 
 #[cfg(test)]

@@ -86,7 +86,7 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
         Scenario { window_ms: Some(1.5), ..aside }
     });
     let (mut seen, invisible) = (0, from_aside.len());
-    let presets = built_in().iter().map(|preset| preset.scenario().unwrap());
+    let presets = built_in().into_iter().map(|preset| preset.scenario().unwrap());
     let mut scenarios: Vec<Scenario> = presets.chain(from_aside).collect();
     scenarios.retain(|scenario| matches!(scenario.impact, Impact::Projectile(_)));
     for scenario in &scenarios {
