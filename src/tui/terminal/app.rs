@@ -3,9 +3,11 @@
 //! Keyboard, signals and workers send into one channel. The loop sleeps until something comes or
 //! the replay wants its next frame; with nothing to show it writes nothing.
 
+use std::any::TypeId;
+use std::collections::{HashMap, hash_map::Entry};
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
 use crossterm::event::KeyCode;
@@ -22,7 +24,8 @@ use crate::tui::terminal::input::{Parser, TerminalInput};
 use crate::tui::terminal::pacer::{Cause, Pacer};
 use crate::tui::terminal::paint::{BEGIN, END, Pen, question};
 use crate::tui::terminal::{session::Session, system};
-use crate::tui::{choices::choices, guest::LONGEST_ANSWER, outbox::Effect, terminal::jobs::Jobs};
+use crate::tui::{choices::choices, guest::LONGEST_ANSWER, outbox::Effect};
+use crate::tui::{request::Request, worker::Worker};
 
 /// How the app runs.
 #[derive(Clone, Copy)]
@@ -46,12 +49,13 @@ const LARGEST: (u16, u16) = (500, 200);
 /// # Errors
 /// Where the terminal fails.
 pub fn run(app: App, settings: &Settings) -> io::Result<(u8, App)> {
-    let (send, events) = sync_channel(QUEUE);
+    let (sender, events) = sync_channel(QUEUE);
     let signals = system::signals()?;
     let session = Session::enter()?;
-    system::listen(&send, signals)?;
+    system::listen(&sender, signals)?;
     let event_loop = EventLoop {
-        jobs: Jobs::new(send, settings.guest_limit.map(|_| LONGEST_ANSWER)),
+        sender,
+        workers: HashMap::new(),
         app,
         session,
         events,
@@ -91,7 +95,9 @@ struct EventLoop {
     app: App,
     session: Session,
     events: Receiver<Event>,
-    jobs: Jobs,
+    sender: SyncSender<Event>,
+    /// A thread for each kind of question, begun when first asked.
+    workers: HashMap<(TypeId, bool), Worker>,
     pacer: Pacer,
     parser: Parser,
     escape_since: Option<Instant>,
@@ -125,8 +131,7 @@ impl EventLoop {
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => self.exit = Some(1),
             }
-            // All that has come so far goes into one frame, unless it takes longer than a frame
-            // may.
+            // All that has come goes into one frame, unless it takes longer than a frame may.
             let until = Instant::now() + self.frame_time;
             while self.exit.is_none()
                 && Instant::now() < until
@@ -134,7 +139,12 @@ impl EventLoop {
             {
                 self.handle(event)?;
             }
-            self.flush_escape()?;
+            let overdue = |since: Instant| since.elapsed() >= self.parser.patience();
+            if self.escape_since.take_if(|since| overdue(*since)).is_some()
+                && let Some(input) = self.parser.flush()
+            {
+                self.handle_input(input)?;
+            }
             if self.is_abandoned() {
                 self.exit = self.exit.or(Some(0));
             }
@@ -146,7 +156,7 @@ impl EventLoop {
         self.settings.guest_limit.is_some_and(|limit| self.last_key.elapsed() >= limit)
     }
 
-    /// When the next frame of a replay is due; at once before the first.
+    /// When the next frame of a replay is due, if there was one before.
     fn next_frame(&self) -> Option<Instant> {
         self.last_frame.map(|last| last + self.frame_time)
     }
@@ -162,8 +172,8 @@ impl EventLoop {
             None
         };
         let wake = [escape, guest, frame].into_iter().flatten().min();
-        let now = Instant::now();
-        wake.map_or(Duration::from_secs(3600), |time| time.saturating_duration_since(now))
+        let left = |time: Instant| time.saturating_duration_since(Instant::now());
+        wake.map_or(Duration::from_secs(3600), left)
     }
 
     fn draw_if_due(&mut self) -> io::Result<()> {
@@ -225,22 +235,11 @@ impl EventLoop {
             Event::Resized => self.dirty = true,
             Event::Continued => {
                 // Whoever stopped the app may have left the terminal in any state.
-                self.session.retake()?;
+                self.session.resume()?;
                 self.repaint();
             }
             Event::End(code) => self.exit = Some(code),
             Event::News(message) => self.send(message)?,
-        }
-        Ok(())
-    }
-
-    fn flush_escape(&mut self) -> io::Result<()> {
-        let overdue = |since: Instant| since.elapsed() >= self.parser.patience();
-        if self.escape_since.is_some_and(overdue) {
-            self.escape_since = None;
-            if let Some(input) = self.parser.flush() {
-                self.handle_input(input)?;
-            }
         }
         Ok(())
     }
@@ -350,13 +349,20 @@ impl EventLoop {
                     });
                     self.send(said_of(said))?;
                 }
-                Effect::Copy(text) => self.copy(&text)?,
+                Effect::Copy(text) => {
+                    let mut said = "this terminal has no clipboard";
+                    if let Some(bytes) = copied(&text, |name| std::env::var(name).ok()) {
+                        self.session.write(bytes.as_bytes())?;
+                        said = "summary sent to the clipboard";
+                    }
+                    self.send(Message::Said(said.to_owned()))?;
+                }
                 Effect::Suspend => self.suspend()?,
                 Effect::Mouse(listen) => self.session.listen_to_mouse(listen)?,
                 Effect::Repaint => self.repaint(),
                 Effect::Quit(code) => self.exit = Some(code),
-                Effect::Start(request) => self.jobs.start(request)?,
-                Effect::Stop(ticket) => self.jobs.stop(ticket),
+                Effect::Start(request) => self.start(request)?,
+                Effect::Stop(ticket) => self.workers.values().for_each(|w| w.cancel(ticket)),
             }
         }
         Ok(())
@@ -368,17 +374,21 @@ impl EventLoop {
         self.send(Message::Choices(choices()))
     }
 
-    /// Hands a text to the terminal for its clipboard; on the way through tmux it is wrapped as
-    /// well, since tmux may pass on one or the other.
-    fn copy(&mut self, text: &str) -> io::Result<()> {
-        let said = match copied(text, |name| std::env::var(name).ok()) {
-            None => "this terminal has no clipboard",
-            Some(bytes) => {
-                self.session.write(bytes.as_bytes())?;
-                "summary sent to the clipboard"
+    /// Hands a request to the thread of its kind.
+    fn start(&mut self, request: Request) -> io::Result<()> {
+        let kind = request.kind();
+        let worker = match self.workers.entry(kind) {
+            Entry::Occupied(there) => there.into_mut(),
+            Entry::Vacant(none) => {
+                let limit = self.settings.guest_limit.map(|_| LONGEST_ANSWER);
+                let sender = self.sender.clone();
+                // Nobody listens once the app is leaving.
+                let tell = move |report| drop(sender.send(Event::News(Message::News(report))));
+                none.insert(Worker::start(limit, kind.1, tell)?)
             }
         };
-        self.send(Message::Said(said.to_owned()))
+        worker.submit(request);
+        Ok(())
     }
 
     /// Stops until the shell goes on with the app. Without a shell the system ignores the signal

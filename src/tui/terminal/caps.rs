@@ -44,10 +44,8 @@ pub enum Depth {
     TwoFiveSix,
 }
 
-/// The colours to use; `None` where no screen can be drawn at all.
-///
-/// A terminal of 24 bits gets 256 colours: the heat map has eight steps, and more colours only
-/// cost bytes on the wire.
+/// The colours to use; `None` where no screen can be drawn at all. A terminal of 24 bits gets 256:
+/// more colours only cost bytes on the wire.
 pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<Depth> {
     let is_plain = || env("NO_COLOR").is_some_and(|value| !value.is_empty());
     let term = env("TERM").unwrap_or_default();
@@ -68,9 +66,8 @@ pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<De
     })
 }
 
-/// The symbols to use. The consoles of Linux and of real terminals have no braille, and a locale
-/// that is not in UTF-8 has nothing beyond ASCII. Where no locale is set nobody knows; most
-/// terminals have all of it.
+/// The symbols to use: no braille on the consoles of Linux and of real terminals, nothing beyond
+/// ASCII in a locale that is not in UTF-8, and all where no locale is set, as most have all of it.
 pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> Symbols {
     let mut locales = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().filter_map(&env);
     let locale = locales.find(|value| !value.is_empty()).map(|value| value.to_ascii_lowercase());
@@ -90,9 +87,8 @@ mod tests {
     /// What is set by words such as `TERM=xterm`.
     fn env(set: &str) -> impl Fn(&str) -> Option<String> + '_ {
         move |name| {
-            let mut all = set.split(' ').filter_map(|word| word.split_once('='));
-            let found = all.find(|(known, _)| *known == name);
-            found.map(|(_, value)| value.to_owned())
+            let mut values = set.split(' ').filter_map(|word| word.strip_prefix(name));
+            values.find_map(|value| value.strip_prefix('=')).map(str::to_owned)
         }
     }
 

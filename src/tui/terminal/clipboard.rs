@@ -1,5 +1,4 @@
-//! The clipboard of whoever sits at the terminal, by OSC 52: it works over ssh, since the terminal
-//! has it.
+//! The clipboard of whoever sits at the terminal, by OSC 52, which works over ssh.
 //!
 //! Left out: asking whether the terminal takes it. Most that do not pass over it in silence, and
 //! those known to print it get none.
@@ -8,7 +7,7 @@ use crossterm::Command;
 use crossterm::clipboard::CopyToClipboard;
 
 /// The escape sequence that puts a text on the clipboard, by the environment; none where there is
-/// no clipboard.
+/// no clipboard. Through tmux it goes both ways, since tmux may pass on one or the other.
 pub fn copied(text: &str, env: impl Fn(&str) -> Option<String>) -> Option<String> {
     let term = env("TERM").unwrap_or_default();
     // Consoles without a clipboard, and real terminals.

@@ -8,9 +8,7 @@
 
 use std::time::Duration;
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseEvent};
-
-use crate::tui::terminal::mouse;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 /// Something that the terminal sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -188,7 +186,7 @@ fn csi(rest: &[u8]) -> Parsed {
     }
     if matches!(rest[0], 0x3c..=0x3f) {
         let report = numbers.strip_prefix(b"<");
-        let event = report.and_then(|numbers| mouse::report(numbers, last));
+        let event = report.and_then(|numbers| mouse_report(numbers, last));
         return Some((used, event.map(TerminalInput::Mouse)));
     }
     let text = String::from_utf8_lossy(numbers);
@@ -202,6 +200,30 @@ fn csi(rest: &[u8]) -> Parsed {
         _ => function_key(last),
     };
     Some((used, code.map(|code| key(code, modifiers))))
+}
+
+/// The event of `ESC [ < button ; column ; row M`, given what stands between `<` and the last
+/// letter. Buttons that mean nothing to the app give nothing.
+fn mouse_report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
+    let text = std::str::from_utf8(numbers).ok()?;
+    let numbers: Vec<u16> = text.split(';').map(str::parse).collect::<Result<_, _>>().ok()?;
+    let [button, column, row] = numbers.try_into().ok()?;
+    let kind = match (button & !0b1_1100, last) {
+        (0, b'M') => MouseEventKind::Down(MouseButton::Left),
+        (0, b'm') => MouseEventKind::Up(MouseButton::Left),
+        (32, b'M') => MouseEventKind::Drag(MouseButton::Left),
+        (64, b'M') => MouseEventKind::ScrollUp,
+        (65, b'M') => MouseEventKind::ScrollDown,
+        _ => return None,
+    };
+    let shift = button & 0b100 != 0;
+    Some(MouseEvent {
+        kind,
+        // Terminals count from one.
+        column: column.checked_sub(1)?,
+        row: row.checked_sub(1)?,
+        modifiers: if shift { KeyModifiers::SHIFT } else { KeyModifiers::NONE },
+    })
 }
 
 /// The modifiers of `ESC [ 1 ; n A`.
@@ -243,6 +265,8 @@ fn tilde_key(number: u8) -> Option<KeyCode> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use MouseButton::Left;
+    use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
 
@@ -302,6 +326,22 @@ mod tests {
             let mut parser = Parser::default();
             assert_eq!(parser.feed(reply.as_bytes()), [], "{reply:?}");
             assert_eq!(parser.feed(b"x"), [plain(KeyCode::Char('x'))], "{reply:?}");
+        }
+    }
+
+    #[test]
+    fn reports_of_the_mouse_are_read_and_others_are_nothing() {
+        let read = |text: &str| {
+            let (last, numbers) = text.as_bytes().split_last().unwrap();
+            mouse_report(numbers, *last).map(|e| (e.kind, e.column, e.row))
+        };
+        assert_eq!(read("0;1;1M"), Some((Down(Left), 0, 0)));
+        assert_eq!(read("0;300;90m"), Some((Up(Left), 299, 89)));
+        assert_eq!(read("32;5;6M"), Some((Drag(Left), 4, 5)));
+        assert_eq!(read("68;5;6M"), Some((ScrollUp, 4, 5)));
+        assert_eq!(read("65;5;6M"), Some((ScrollDown, 4, 5)));
+        for other in ["35;10;10M", "2;1;1M", "0;0;1M", "0;1M", "0;1;1;1M", "0;70000;1M", "M"] {
+            assert_eq!(read(other), None, "{other}");
         }
     }
 

@@ -9,8 +9,6 @@ pub mod caps;
 mod clipboard;
 mod event;
 pub mod input;
-mod jobs;
-mod mouse;
 pub mod pacer;
 pub mod paint;
 mod session;

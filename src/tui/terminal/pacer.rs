@@ -24,8 +24,7 @@ const MAX_SILENCES: u32 = 2;
 const LONGEST_SILENCE: Duration = Duration::from_secs(60);
 /// Questions that can be told apart, by a column each.
 const COLUMNS: u8 = 8;
-/// Seconds: a reply is thought to take at least the first, and none is waited for beyond the
-/// other.
+/// Seconds: a reply is thought to take the first at least, and waited for no longer than the other.
 const FAREWELL: (f64, f64) = (0.15, 1.0);
 /// Bytes a second for a terminal that never answers.
 const BUDGET: f64 = 6000.0;
@@ -76,8 +75,7 @@ pub enum Cause {
 }
 
 impl Pacer {
-    /// For a terminal that has shown a frame when the write returns: nothing is asked or waited
-    /// for.
+    /// For a terminal that has shown a frame when the write returns: nothing is asked.
     pub fn local() -> Self {
         Self { local: true, ..Self::default() }
     }
@@ -125,9 +123,7 @@ impl Pacer {
         (self.answers, self.silences, self.free_at) = (true, 0, None);
         let place = self.open.iter().position(|q| q.column == column);
         self.open.drain(..place.unwrap_or(0));
-        let Some(question) = self.open.pop_front() else {
-            return;
-        };
+        let Some(question) = self.open.pop_front() else { return };
         // After a silence the delay says nothing of the link.
         let is_late = question.given_up || self.open.iter().any(|q| q.bytes.is_none());
         if let (Some(bytes), false) = (question.bytes, is_late) {

@@ -9,8 +9,6 @@
 //!
 //! Left out: the cursor, which the program draws itself as a reversed cell, and underline colours.
 
-use std::io::Write;
-
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 use ratatui::symbols::pixel::QUADRANTS;
@@ -93,16 +91,15 @@ impl Pen {
     }
 
     fn move_to(&mut self, x: u16, y: u16, out: &mut Vec<u8>) {
-        match self.at {
-            Some(here) if here == (x, y) => {}
-            Some((here, row)) if row == y && here < x => match x - here {
-                1 => put(out, format_args!("\x1b[C")),
-                gap => put(out, format_args!("\x1b[{gap}C")),
-            },
-            Some((_, row)) if row + 1 == y && x == 0 => put(out, format_args!("\r\n")),
-            _ if x == 0 => put(out, format_args!("\x1b[{}H", y + 1)),
-            _ => put(out, format_args!("\x1b[{};{}H", y + 1, x + 1)),
-        }
+        let way = match self.at {
+            Some(here) if here == (x, y) => return,
+            Some((here, row)) if row == y && here + 1 == x => "\x1b[C".to_owned(),
+            Some((here, row)) if row == y && here < x => format!("\x1b[{}C", x - here),
+            Some((_, row)) if row + 1 == y && x == 0 => "\r\n".to_owned(),
+            _ if x == 0 => format!("\x1b[{}H", y + 1),
+            _ => format!("\x1b[{};{}H", y + 1, x + 1),
+        };
+        out.extend(way.bytes());
     }
 
     /// A cell of blocks with ink and ground exchanged, where the pen has those colours already.
@@ -140,23 +137,17 @@ impl Pen {
         // A blank without a mark through it shows no foreground.
         let marks = Modifier::REVERSED | Modifier::UNDERLINED | Modifier::CROSSED_OUT;
         let blank = cell.symbol() == " " && !wanted.intersects(marks);
-        if !blank && cell.fg != self.foreground {
-            codes.push(colour(cell.fg, 30));
-            self.foreground = cell.fg;
-        }
-        if cell.bg != self.background {
-            codes.push(colour(cell.bg, 40));
-            self.background = cell.bg;
+        let inks = [(&mut self.foreground, cell.fg, 30), (&mut self.background, cell.bg, 40)];
+        for (known, wanted, base) in inks.into_iter().skip(usize::from(blank)) {
+            if *known != wanted {
+                codes.push(colour(wanted, base));
+                *known = wanted;
+            }
         }
         if !codes.is_empty() {
-            put(out, format_args!("\x1b[{}m", codes.join(";")));
+            out.extend(format!("\x1b[{}m", codes.join(";")).bytes());
         }
     }
-}
-
-fn put(out: &mut Vec<u8>, text: std::fmt::Arguments) {
-    // Writing to memory cannot fail.
-    let _ = out.write_fmt(text);
 }
 
 /// The code of a colour; `base` is 30 for text and 40 for what is behind it.

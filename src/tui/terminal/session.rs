@@ -40,8 +40,10 @@ impl Session {
         Ok(session)
     }
 
-    /// Takes the terminal over again.
+    /// Takes the terminal over again, in whatever state somebody else left it.
     pub fn resume(&mut self) -> io::Result<()> {
+        // What counts as raw already would not be made raw again.
+        disable_raw_mode()?;
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
         self.out.write_all(ENTER)?;
@@ -57,13 +59,6 @@ impl Session {
             return Ok(());
         }
         system::listen_to_mouse(&self.out, listen)
-    }
-
-    /// Takes the terminal over again after somebody else may have changed it.
-    pub fn retake(&mut self) -> io::Result<()> {
-        // Raw mode counts as entered already, and would not be entered again.
-        disable_raw_mode()?;
-        self.resume()
     }
 
     /// Gives the terminal back.

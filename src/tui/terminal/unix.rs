@@ -18,14 +18,12 @@ use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
 
 use crate::run::threads;
-use crate::tui::terminal::{event::Event, pacer::Pacer};
-use crate::tui::terminal::{mouse, session};
+use crate::tui::terminal::{event::Event, pacer::Pacer, session};
 
 /// Where the app draws: a handle of its own takes no lock, so a panic on any thread can write.
 pub(super) type Out = File;
 
-/// How long after a signal the app may take to leave by itself. A terminal that does not read
-/// holds it up for ever.
+/// The time to leave by itself after a signal. A terminal that does not read holds the app up.
 const LAST_CALL: Duration = Duration::from_secs(2);
 
 /// Opens what is drawn on.
@@ -38,9 +36,15 @@ pub(super) fn pacer() -> Pacer {
     Pacer::default()
 }
 
+/// Asks for presses, drags and the wheel, with coordinates of any size; a mouse that merely moves
+/// sends nothing.
+const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
+/// Asks for nothing any more.
+const MOUSE_OFF: &[u8] = b"\x1b[?1002l\x1b[?1006l";
+
 /// Has the terminal report its mouse, or no longer.
 pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
-    out.write_all(if listen { mouse::ON } else { mouse::OFF })
+    out.write_all(if listen { MOUSE_ON } else { MOUSE_OFF })
 }
 
 /// What is said once the terminal is given back; when memory runs out nothing else can be.
@@ -59,7 +63,7 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
         if is_entered() {
             let mut ready = [PollFd::new(&out, PollFlags::OUT)];
             if matches!(poll(&mut ready, Some(&LAST_WORDS)), Ok(1)) {
-                for bytes in [mouse::OFF, session::LEAVE, ABORTED] {
+                for bytes in [MOUSE_OFF, session::LEAVE, ABORTED] {
                     let _ = rustix::io::write(&out, bytes);
                 }
             }

@@ -14,8 +14,7 @@ use crate::tui::terminal::{event::Event, input::TerminalInput, pacer::Pacer};
 /// Where the app draws: only this handle turns UTF-8 into what a console takes.
 pub(super) type Out = io::Stdout;
 
-/// Opens what is drawn on; none where the console is older than escape sequences (Windows 10 of
-/// 2016).
+/// Opens what is drawn on; none where escape sequences are unknown, as before Windows 10 of 2016.
 pub(super) fn out() -> io::Result<Out> {
     if crossterm::ansi_support::supports_ansi() {
         Ok(io::stdout())

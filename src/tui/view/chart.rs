@@ -36,8 +36,7 @@ const ACTIVE: f64 = 0.02;
 /// Left before and after, as a share of the whole.
 const LEFT: f64 = 0.03;
 
-/// From when to when something happens in any of some values over the same times, of all up to
-/// `window`.
+/// From when to when something happens in any of some values, of all times up to `window`.
 pub fn active<'a>(
     time: &[f64],
     values: impl Iterator<Item = &'a [f64]>,

@@ -1,18 +1,17 @@
 //! The eye at one moment: its anatomy, or its mesh in lines or nodes coloured by force, with orbit,
 //! arc and arrow of the blow.
 //!
-//! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
-//! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is
-//! solid.
+//! Parts are told apart by pattern as well as by colour: orbit, shell, lens and what is hot are
+//! solid, the retina is double, the inside dotted and fat dotted thinly.
 
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::{Color, Style};
+use ratatui::style::Color;
 
 use crate::report::picture::field::TissueField;
 use crate::report::picture::{Part, object_sides};
-use crate::run::drawing::{Drawing, DrawnNode, Line};
+use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::{places::Region, quantity::Quantity};
 use crate::scenario::direction::{place, upper};
@@ -133,19 +132,14 @@ impl<'a> EyePicture<'a> {
         if self.detail == MeshDetail::Nodes {
             picture.nodes(&mut raster);
         }
-        picture.loaded_arc(&mut raster);
-        picture.projectile(&mut raster);
-        let mut signs = Vec::new();
-        if theme.is_mono() {
-            signs.extend(picture.digits(&raster));
-        }
-        if !self.lean {
-            signs.extend(picture.monitors(&raster));
-        }
+        picture.blow(&mut raster);
         self.arrow(theme, &mut raster, |at| picture.projection.dot(at));
         raster.paint(sheet.buffer);
-        for (at, sign, style) in signs {
-            sheet.buffer[at].set_char(sign).set_style(style);
+        if theme.is_mono() {
+            picture.digits(&raster, sheet.buffer);
+        }
+        if !self.lean {
+            picture.monitors(&raster, sheet.buffer);
         }
         directions(self.up(), sheet);
     }
@@ -256,9 +250,6 @@ impl Projection {
     }
 }
 
-/// A sign in the cell of a place.
-type Sign = ((u16, u16), char, Style);
-
 struct Picture<'a> {
     scene: &'a EyePicture<'a>,
     drawing: &'a Drawing,
@@ -350,56 +341,48 @@ impl Picture<'_> {
         }
     }
 
-    /// Without colours, the steps of the hotter nodes as digits, the hottest last; of all nodes
-    /// where only nodes are drawn.
-    fn digits(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
+    /// The steps of the hotter nodes as digits, the hottest last; of all if only nodes are drawn.
+    fn digits(&self, raster: &Raster, buffer: &mut Buffer) {
         let least = match self.scene.detail {
             MeshDetail::Nodes => 1,
             MeshDetail::Edges | MeshDetail::Anatomy => self.thresholds.len() / 2 + 1,
         };
-        let nodes = self.drawing.nodes.iter().enumerate();
-        let digit = |(i, node): (usize, &DrawnNode)| {
-            let step = step_of(self.force(i), &self.thresholds);
-            let is_hot = step >= least && node.region != Region::Orbit;
-            is_hot.then_some((raster.cell(self.place(i))?, step))
-        };
-        let mut digits: Vec<_> = nodes.filter_map(digit).collect();
-        digits.sort_by_key(|(_, step)| *step);
-        let sign = |(at, step)| (at, heat_glyph(step), self.theme.heat(step));
-        digits.into_iter().map(sign)
+        let nodes = &self.drawing.nodes;
+        let inside = (0..nodes.len()).filter(|i| nodes[*i].region != Region::Orbit);
+        let steps = inside.map(|i| (step_of(self.force(i), &self.thresholds), i));
+        let mut hot: Vec<(usize, usize)> = steps.filter(|(step, _)| *step >= least).collect();
+        hot.sort();
+        for (step, i) in hot {
+            if let Some(at) = raster.cell(self.place(i)) {
+                buffer[at].set_char(heat_glyph(step)).set_style(self.theme.heat(step));
+            }
+        }
     }
 
-    /// The nodes whose forces are shown, by the first letter of their names; the one that has its
-    /// peak now in reverse.
-    fn monitors(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
+    /// The first letters of the nodes whose forces are shown; in reverse where the peak is now.
+    fn monitors(&self, raster: &Raster, buffer: &mut Buffer) {
         use Quantity::{ForceCentre, ForceFront, ForceRight, ForceTop};
-        let mark = move |(node, of): (&usize, Quantity)| {
-            let letter = of.row().short.chars().next()?.to_ascii_uppercase();
-            let peak = self.scene.shown.answer.peak(of)?;
+        let forces = [ForceCentre, ForceFront, ForceRight, ForceTop];
+        for (node, of) in self.drawing.monitors.iter().zip(forces) {
+            let letter = of.row().short.chars().next();
+            let places = (raster.cell(self.place(*node)), self.scene.shown.answer.peak(of));
+            let (Some(letter), (Some(at), Some(peak))) = (letter, places) else { continue };
             let is_now = (peak.time - self.scene.time).abs() < SAME_TIME;
             let style = if is_now { self.theme.focus() } else { self.theme.strong() };
-            Some((raster.cell(self.place(*node))?, letter, style))
-        };
-        let forces = [ForceCentre, ForceFront, ForceRight, ForceTop];
-        self.drawing.monitors.iter().zip(forces).filter_map(mark)
+            buffer[at].set_char(letter.to_ascii_uppercase()).set_style(style);
+        }
     }
 
-    /// The object as the anatomy has it.
-    fn projectile(&self, raster: &mut Raster) {
+    /// The shell under the load while it acts, and the object as the anatomy has it.
+    fn blow(&self, raster: &mut Raster) {
+        let ink = Ink::solid(self.theme.load(), BLOW, '@');
+        let acts = self.scene.time <= self.drawing.loaded_until;
+        for &(a, b) in self.drawing.loaded.iter().filter(|_| acts) {
+            raster.line(self.place(a), self.place(b), ink);
+        }
         let ink = Ink::solid(self.theme.part(Part::Object, 0).into(), BLOW, 'o');
         for [from, to] in object_sides(self.drawing, self.frame) {
             raster.line(self.projection.dot(from), self.projection.dot(to), ink);
-        }
-    }
-
-    /// While the load acts, the shell under it is drawn in the load's own style.
-    fn loaded_arc(&self, raster: &mut Raster) {
-        if self.scene.time > self.drawing.loaded_until {
-            return;
-        }
-        let ink = Ink::solid(self.theme.load(), BLOW, '@');
-        for &(a, b) in &self.drawing.loaded {
-            raster.line(self.place(a), self.place(b), ink);
         }
     }
 }

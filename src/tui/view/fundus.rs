@@ -1,6 +1,5 @@
-//! The retina as a clock face, as an examiner in front of the patient sees it: the outer ring is
-//! its front edge by the hour, the inner ring the back by quadrants, each with its strain in
-//! percent.
+//! The retina as a clock face, as an examiner sees it: outside its front edge by the hour, inside
+//! the back by quadrants, each with its strain in percent.
 
 use crate::run::sectors::{HOURS, Sectors};
 use crate::scenario::Side;
@@ -38,14 +37,6 @@ struct Ring<'a> {
 }
 
 impl Fundus<'_> {
-    fn rings(&self) -> [Ring<'_>; 2] {
-        let Sectors { edge, back, .. } = self.sectors;
-        [
-            Ring { ends: OUTER, strains: edge, shift: 0.0 },
-            Ring { ends: INNER, strains: back, shift: 0.5 },
-        ]
-    }
-
     /// The strain of a ring at a turn of the clock, and how far from the middle of its sector that
     /// is, in sectors; they are counted towards the nose.
     fn strain(&self, ring: &Ring, turn: f64) -> (f64, f64) {
@@ -78,7 +69,9 @@ impl Fundus<'_> {
         // A row above and below holds the hours.
         let radius = (f64::from(rows - 2) / 2.0).min(f64::from(area.width - 8) / 2.0 / ASPECT);
         let centre = (f64::from(area.width) / 2.0, f64::from(HEAD) + f64::from(rows) / 2.0);
-        let rings = self.rings();
+        let Sectors { edge, back, .. } = self.sectors;
+        let outer = Ring { ends: OUTER, strains: edge, shift: 0.0 };
+        let rings = [outer, Ring { ends: INNER, strains: back, shift: 0.5 }];
         let all = rings.iter().flat_map(|ring| ring.strains.iter().copied());
         let most = all.fold(f64::MIN_POSITIVE, f64::max);
         for y in 0..rows {
@@ -122,12 +115,7 @@ impl Fundus<'_> {
         let nose = self.side.turn(0.25 * TAU);
         write(place(0.0, 0.0), "+", theme.text());
         write(place(0.2, nose), "o", theme.text());
-        self.words(sheet);
-    }
-
-    /// Heading, sides and legend.
-    fn words(&self, sheet: &mut Sheet) {
-        let (area, theme) = (sheet.area, sheet.theme);
+        // Heading, sides and legend.
         let (eye, left, right) = self.side.seen();
         let hour = Sectors::strongest(&self.sectors.edge);
         let hour = self.side.hour(TAU * hour as f64 / HOURS as f64);

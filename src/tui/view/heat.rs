@@ -29,7 +29,8 @@ impl HeatMap {
 /// the largest force.
 pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
     let top = if largest > 0.0 { largest.log2().floor() as i32 } else { 0 };
-    (0..steps as i32).rev().map(|below| 2f64.powi(top - below)).collect()
+    let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
+    (0..steps).map(|step| 2f64.powi(top - above(step))).collect()
 }
 
 /// The step of a force; 0 below the first threshold.

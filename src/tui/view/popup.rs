@@ -26,16 +26,14 @@ pub fn frame<'a>(title: &str, (wide, high): (u16, u16), sheet: &'a mut Sheet) ->
     sheet.part((x + 2, y + 1), (wide - MARGIN, high - 2))
 }
 
-/// Text that is being typed, with its cursor, scrolled so that the cursor is seen; what is
-/// selected looks like that.
+/// Text that is being typed, scrolled so that its cursor is seen; all of it is one if selected.
 pub fn input(line: &TextLine, style: Style, sheet: &mut Sheet) {
     let (area, cursor) = (sheet.area, sheet.theme.focus());
     let input = &line.input;
     let style = if line.selected { cursor } else { style };
     let room = usize::from(area.width.saturating_sub(1));
     let hidden = input.visual_scroll(room);
-    let mut x = 0;
-    let mut skipped = 0;
+    let (mut x, mut skipped) = (0, 0);
     for c in input.value().chars() {
         let text = c.to_string();
         if skipped < hidden {

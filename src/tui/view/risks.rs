@@ -1,8 +1,5 @@
 //! The risks of an answer: a row an injury, what each rests on, what limits them, and the signs
-//! that count more.
-//!
-//! The words and figures are those of [`Risk`] everywhere; here they are only fitted into the room
-//! that there is.
+//! that count more. The words are those of [`Risk`], fitted into the room that there is.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -177,9 +174,8 @@ fn wider(model: &AppModel, answer: &Answer) -> Option<String> {
     (!all.is_empty()).then(|| format!("wider by doubt in the inputs: {}", all.join(", ")))
 }
 
-/// What limits an answer, the gravest first: why it is not usable, what the places of its injuries
-/// mean, what was raised, and what is still to be counted. In short where `rows` are few, and as
-/// much of it as they hold.
+/// What limits an answer, the gravest first: why it is not usable, what was raised, and what is
+/// still to be counted. In short where `rows` are few, and as much of it as they hold.
 pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Vec<String> {
     let (risks, spoiled) = (answer.risks(), unusable(answer));
     let said = |brief: bool| -> Vec<String> {

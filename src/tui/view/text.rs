@@ -99,8 +99,7 @@ pub fn to_ascii(buffer: &mut Buffer) {
         for at in (0..row.len()).filter(|at| row[*at].symbol() == "±").collect::<Vec<_>>() {
             let before = at.checked_sub(1).map(|at| row[at].symbol());
             let after = row.get(at + 1).map(Cell::symbol);
-            // A plus alone would make a sum of a doubt: the space behind the sign takes the minus;
-            // an error right behind its sign has the space before it.
+            // A plus alone would make a sum of a doubt: a space behind or before takes the other.
             let first = match (before, after) {
                 (_, Some(" ")) => at,
                 (Some(" "), Some(error)) if error.starts_with(is_figure) => at - 1,

@@ -123,8 +123,7 @@ impl Theme {
         self.grave([0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count())
     }
 
-    /// A risk by the upper end of its range, so that no colour is surer than that; none where the
-    /// range says nothing.
+    /// A risk by the upper end of its range, so that no colour is surer; plain where that is none.
     pub fn risk(self, risk: &Risk) -> Style {
         if risk.is_unclear() { self.text() } else { self.likelihood(risk.range.1) }
     }

@@ -29,8 +29,7 @@ fn cost(of: Tint, shown: Tint) -> f64 {
     }
 }
 
-/// The two tints of a cell, the first where a bit of the mask is set; both are the same where one
-/// will do.
+/// The two tints of a cell, the first where a bit of the mask is set; alike where one will do.
 pub(super) fn two(points: &[Tint]) -> (Tint, Tint, u8) {
     let loss = |pair: (Tint, Tint)| -> f64 {
         let least = |of: &Tint| cost(*of, pair.0).min(cost(*of, pair.1));
@@ -62,14 +61,10 @@ pub(super) fn one(points: &[Tint]) -> Tint {
 mod tests {
     use super::*;
 
-    const fn tint(part: Part) -> Tint {
-        Tint { part, step: 0 }
-    }
-
     #[test]
     fn a_thin_part_is_kept_and_the_inside_never_shows_as_the_outside() {
-        let (globe, sky) = (tint(Part::Globe), tint(Part::Sky));
-        let (sclera, fat) = (tint(Part::Sclera), tint(Part::Fat));
+        let parts = [Part::Globe, Part::Sky, Part::Sclera, Part::Fat];
+        let [globe, sky, sclera, fat] = parts.map(|part| Tint { part, step: 0 });
         let (a, b, mask) = two(&[sclera, globe, sky, globe]);
         assert!([a, b].contains(&sclera) && [a, b].contains(&globe), "{a:?} {b:?}");
         // What does not fit beside them becomes a part of the shell, not of the inside.
