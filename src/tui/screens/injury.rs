@@ -11,8 +11,8 @@ use crate::tui::keys::press::{DOWN, UP, c};
 use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
-use crate::tui::view::{eye::EyePicture, fundus::Fundus, sheet::Sheet};
-use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below};
+use crate::tui::view::{eye::EyePicture, sheet::Sheet};
+use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below, view::fundus};
 
 /// Columns that the screen takes at most: longer bars are no easier to read.
 const WIDEST: u16 = 120;
@@ -89,8 +89,7 @@ fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
         sheet.put_lines((1, 1), &lines, sheet.theme.text());
         return;
     };
-    let side = shown.scenario.eye_side();
-    Fundus { sectors, side }.draw(sheet);
+    fundus::draw(sectors, shown.scenario.eye_side(), sheet);
 }
 
 fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {

@@ -280,22 +280,19 @@ mod tests {
 
     #[test]
     fn keys_are_read_with_their_modifiers() {
-        let shift = KeyModifiers::SHIFT;
-        let held = |c, modifiers| key(KeyCode::Char(c), modifiers);
-        let f = |n| plain(KeyCode::F(n));
-        let (up, down) = (plain(KeyCode::Up), plain(KeyCode::Down));
-        let (page, back) = (plain(KeyCode::PageUp), plain(KeyCode::BackTab));
-        for (bytes, expected) in [
-            ("a", vec![plain(KeyCode::Char('a'))]),
-            ("é", vec![plain(KeyCode::Char('é'))]),
-            ("\x1b[A\x1bOB", vec![up, down]),
-            ("\x1b[1;2C", vec![key(KeyCode::Right, shift)]),
-            ("\x1b[5~\x1b[Z", vec![page, back]),
-            ("\x03", vec![held('c', KeyModifiers::CONTROL)]),
-            ("\x1bOP\x1b[[B\x1b[13~\x1b[17~", vec![f(1), f(2), f(3), f(6)]),
-            ("\x1bx", vec![held('x', KeyModifiers::ALT)]),
-            ("\r", vec![plain(KeyCode::Enter)]),
+        use KeyCode::{BackTab, Char, Down, Enter, F, PageUp, Right, Up};
+        for (bytes, held, codes) in [
+            ("a", KeyModifiers::NONE, &[Char('a')][..]),
+            ("é", KeyModifiers::NONE, &[Char('é')]),
+            ("\x1b[A\x1bOB", KeyModifiers::NONE, &[Up, Down]),
+            ("\x1b[1;2C", KeyModifiers::SHIFT, &[Right]),
+            ("\x1b[5~\x1b[Z", KeyModifiers::NONE, &[PageUp, BackTab]),
+            ("\x03", KeyModifiers::CONTROL, &[Char('c')]),
+            ("\x1bOP\x1b[[B\x1b[13~\x1b[17~", KeyModifiers::NONE, &[F(1), F(2), F(3), F(6)]),
+            ("\x1bx", KeyModifiers::ALT, &[Char('x')]),
+            ("\r", KeyModifiers::NONE, &[Enter]),
         ] {
+            let expected: Vec<_> = codes.iter().map(|code| key(*code, held)).collect();
             assert_eq!(keys(bytes.as_bytes()), expected, "{bytes:?}");
         }
     }

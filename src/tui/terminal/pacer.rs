@@ -211,16 +211,14 @@ mod tests {
         // Nobody asked for that.
         pacer.replied(start, 1);
         let first = pacer.sent(start, 1000).unwrap();
-        assert!(!pacer.is_free(start + SHORT, Replay));
-        assert!(pacer.is_free(start + SHORT, Event));
-        let second = pacer.sent(start + SHORT, 1000).unwrap();
-        assert!(!pacer.is_free(start + SHORT, Event));
-        pacer.replied(start + SHORT, first);
-        assert!(!pacer.is_free(start + SHORT, Replay));
-        assert!(pacer.is_free(start + SHORT, Event));
-        pacer.replied(start + SHORT, second);
-        assert!(pacer.is_free(start + SHORT, Replay));
-        assert!(!pacer.is_slow());
+        let later = start + SHORT;
+        assert!(!pacer.is_free(later, Replay) && pacer.is_free(later, Event));
+        let second = pacer.sent(later, 1000).unwrap();
+        assert!(!pacer.is_free(later, Event));
+        pacer.replied(later, first);
+        assert!(!pacer.is_free(later, Replay) && pacer.is_free(later, Event));
+        pacer.replied(later, second);
+        assert!(pacer.is_free(later, Replay) && !pacer.is_slow());
     }
 
     #[test]
@@ -230,10 +228,10 @@ mod tests {
         let later = start + PATIENCE;
         assert!(pacer.is_free(later, Replay));
         let second = pacer.sent(later, 1000).unwrap();
-        pacer.replied(later + SHORT, first);
-        assert!(!pacer.is_free(later + SHORT, Replay), "that was the first one's");
-        pacer.replied(later + 2 * SHORT, second);
-        assert!(pacer.is_free(later + 2 * SHORT, Replay));
+        for (column, is_free) in [(first, false), (second, true)] {
+            pacer.replied(later + SHORT, column);
+            assert_eq!(pacer.is_free(later + SHORT, Replay), is_free);
+        }
     }
 
     /// A pacer whose terminal answered once and has another frame under way since then.
@@ -312,15 +310,12 @@ mod tests {
 
     #[test]
     fn the_last_replies_are_waited_for_as_long_as_they_may_take() {
-        let after = |delay: u64| {
+        for (delay, farewell) in [(1, 300), (250, 500), (1900, 1000)] {
             let (mut pacer, start) = fresh();
             let column = pacer.sent(start, 1000).unwrap();
             pacer.replied(start + Duration::from_millis(delay), column);
-            pacer.farewell()
-        };
-        assert_eq!(after(1), Duration::from_millis(300));
-        assert_eq!(after(250), Duration::from_millis(500));
-        assert_eq!(after(1900), Duration::from_secs(1));
+            assert_eq!(pacer.farewell(), Duration::from_millis(farewell));
+        }
         let mute = Pacer { silences: MAX_SILENCES, ..Pacer::default() };
         assert_eq!(mute.farewell(), Duration::ZERO);
     }
@@ -335,16 +330,15 @@ mod tests {
 
     #[test]
     fn a_slow_link_is_noticed() {
-        let slow = |rate: f64| {
+        // A long round trip alone is not slow.
+        for (rate, is_slow) in [(8_000.0, true), (32_000.0, false)] {
             let (mut pacer, mut now) = fresh();
             for bytes in [50, 3000, 500, 2000, 300] {
                 let column = pacer.sent(now, bytes).unwrap();
                 now += Duration::from_millis(200) + Duration::from_secs_f64(bytes as f64 / rate);
                 pacer.replied(now, column);
             }
-            pacer.is_slow()
-        };
-        assert!(slow(8_000.0));
-        assert!(!slow(32_000.0), "a long round trip alone is not slow");
+            assert_eq!(pacer.is_slow(), is_slow);
+        }
     }
 }

@@ -8,6 +8,9 @@ use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::{text::width, theme::Theme};
 
+/// From and to.
+type Ends = (f64, f64);
+
 /// A curve over time.
 pub struct TimeCurve<'a> {
     /// Times in s.
@@ -37,11 +40,7 @@ const ACTIVE: f64 = 0.02;
 const LEFT: f64 = 0.03;
 
 /// From when to when something happens in any of some values, of all times up to `window`.
-pub fn active<'a>(
-    time: &[f64],
-    values: impl Iterator<Item = &'a [f64]>,
-    window: f64,
-) -> (f64, f64) {
+pub fn active<'a>(time: &[f64], values: impl Iterator<Item = &'a [f64]>, window: f64) -> Ends {
     let ends = values.filter_map(|values| {
         let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         let high = |value: &f64| value.abs() > ACTIVE * largest;
@@ -57,7 +56,7 @@ pub fn active<'a>(
 }
 
 /// The range of several curves over a span of time, 0 among them.
-fn range(curves: &[TimeCurve], (from, to): (f64, f64)) -> (f64, f64) {
+fn range(curves: &[TimeCurve], (from, to): Ends) -> Ends {
     let mut range = (0.0_f64, 0.0_f64);
     for curve in curves {
         let seen = curve.time.iter().zip(curve.values).filter(|(t, _)| (from..=to).contains(*t));
@@ -68,19 +67,14 @@ fn range(curves: &[TimeCurve], (from, to): (f64, f64)) -> (f64, f64) {
     range
 }
 
-/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots
-/// spans all values that fall into it, so no peak is lost.
-fn plot(
-    raster: &mut Raster,
-    curves: &[TimeCurve],
-    (start, end): (f64, f64),
-    (low, high): (f64, f64),
-    filled: bool,
-) {
+/// Draws curves, a span of time across and a range of values upwards. A column of dots spans all
+/// values that fall into it, so no peak is lost.
+fn plot(raster: &mut Raster, curves: &[TimeCurve], span: Ends, range: Ends, filled: bool) {
+    let ((start, end), (low, high)) = (span, range);
     let (columns, rows) = raster.size();
     let span = if high > low { high - low } else { 1.0 };
     let row = |value: f64| f64::from(rows - 1) * (1.0 - (value - low) / span);
-    let wider = |(top, bottom): (f64, f64), row: f64| (top.min(row), bottom.max(row));
+    let wider = |(top, bottom): Ends, row: f64| (top.min(row), bottom.max(row));
     for curve in curves {
         let mut previous: Option<f64> = None;
         for column in 0..columns {
@@ -110,7 +104,7 @@ fn plot(
 }
 
 /// Draws where a range has its zero.
-fn zero_line(raster: &mut Raster, (low, high): (f64, f64), theme: Theme) {
+fn zero_line(raster: &mut Raster, (low, high): Ends, theme: Theme) {
     let (columns, rows) = raster.size();
     let share = if high > low { high / (high - low) } else { 1.0 };
     let zero = (f64::from(rows - 1) * share).round() + 0.5;
@@ -119,7 +113,7 @@ fn zero_line(raster: &mut Raster, (low, high): (f64, f64), theme: Theme) {
 }
 
 /// A curve with its zero line, with a mark at the present moment below it.
-pub fn spark(curve: TimeCurve, span: (f64, f64), now: f64, sheet: &mut Sheet) {
+pub fn spark(curve: TimeCurve, span: Ends, now: f64, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let mut raster = Raster::new(area, theme.look.symbols);
     let curves = [curve];
@@ -152,7 +146,7 @@ pub struct TimeChart<'a> {
     /// What it shows.
     pub curves: Vec<TimeCurve<'a>>,
     /// The ends of the time axis, in s.
-    pub span: (f64, f64),
+    pub span: Ends,
     /// The cursor, in s.
     pub cursor: f64,
 }

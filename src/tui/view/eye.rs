@@ -202,16 +202,11 @@ fn directions(up: &str, sheet: &mut Sheet) {
 }
 
 /// The angle in radians of a blow from the direction of a cell, where the eye is drawn in `area`.
-pub fn angle_at(
-    area: Rect,
-    shown: &ShownAnswer,
-    look: Look,
-    detail: MeshDetail,
-    (x, y): (u16, u16),
-) -> f64 {
-    let (x, y) = (f64::from(x) - f64::from(area.x) + 0.5, f64::from(y) - f64::from(area.y) + 0.5);
-    if detail == MeshDetail::Anatomy {
-        let (window, field) = Window::within(area, &shown.drawing, look.symbols);
+pub fn angle_at(area: Rect, model: &AppModel, shown: &ShownAnswer, at: (u16, u16)) -> f64 {
+    let along = |cell: u16, first: u16| f64::from(cell) - f64::from(first) + 0.5;
+    let (x, y) = (along(at.0, area.x), along(at.1, area.y));
+    if model.clock.detail(shown.drawing.object.is_some()) == MeshDetail::Anatomy {
+        let (window, field) = Window::within(area, &shown.drawing, model.look.symbols);
         let at = window.place((x, y - f64::from(field.y - area.y)));
         return at.y.atan2(-at.x);
     }

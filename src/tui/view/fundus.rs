@@ -21,14 +21,6 @@ const FOOT: u16 = 1;
 /// What each mark of shade says without colours, from least to most.
 const SHADES: [&str; 4] = ["·", "░", "▒", "▓"];
 
-/// What is drawn: the strains of which eye.
-pub struct Fundus<'a> {
-    /// The strains.
-    pub sectors: &'a Sectors,
-    /// Which eye.
-    pub side: Side,
-}
-
 /// Where a ring begins and ends, its strains, and by how many sectors they are turned.
 struct Ring<'a> {
     ends: (f64, f64),
@@ -36,103 +28,103 @@ struct Ring<'a> {
     shift: f64,
 }
 
-impl Fundus<'_> {
-    /// The strain of a ring at a turn of the clock, and how far from the middle of its sector that
-    /// is, in sectors; they are counted towards the nose.
-    fn strain(&self, ring: &Ring, turn: f64) -> (f64, f64) {
-        let count = ring.strains.len() as f64;
-        let at = self.side.turn(turn) / TAU * count - ring.shift;
-        let sector = at.round().rem_euclid(count) as usize % ring.strains.len();
-        (ring.strains[sector], at - at.round())
+impl Ring<'_> {
+    /// The strain at a turn of the clock, counted towards the nose, and how far from the middle of
+    /// its sector that is, in sectors.
+    fn strain(&self, turn: f64) -> (f64, f64) {
+        let count = self.strains.len() as f64;
+        let at = turn / TAU * count - self.shift;
+        let sector = at.round().rem_euclid(count) as usize % self.strains.len();
+        (self.strains[sector], at - at.round())
     }
+}
 
-    fn style(theme: Theme, share: f64) -> (Style, &'static str) {
-        let steps = theme.heat_steps();
-        let step = 1 + ((share * steps as f64) as usize).min(steps - 1);
-        let shade = SHADES[((share * SHADES.len() as f64) as usize).min(SHADES.len() - 1)];
-        if theme.is_mono() {
-            return (Style::new(), shade);
-        }
-        let colour = theme.heat(step).fg.unwrap_or(Color::Reset);
-        (Style::new().bg(colour).fg(Color::Black), " ")
+fn style_of(theme: Theme, share: f64) -> (Style, &'static str) {
+    let steps = theme.heat_steps();
+    if theme.is_mono() {
+        let shade = ((share * SHADES.len() as f64) as usize).min(SHADES.len() - 1);
+        return (Style::new(), SHADES[shade]);
     }
+    let step = 1 + ((share * steps as f64) as usize).min(steps - 1);
+    let colour = theme.heat(step).fg.unwrap_or(Color::Reset);
+    (Style::new().bg(colour).fg(Color::Black), " ")
+}
 
-    /// Draws it into the middle of `area`, if there is room.
-    pub fn draw(&self, sheet: &mut Sheet) {
-        let (area, theme) = (sheet.area, sheet.theme);
-        if area.width < LEAST.0 || area.height < LEAST.1 {
-            let room = format!("a fundus needs {} columns by {} rows", LEAST.0, LEAST.1);
-            sheet.put((1, 0), &room, theme.quiet());
-            return;
-        }
-        let rows = area.height - HEAD - FOOT;
-        // A row above and below holds the hours.
-        let radius = (f64::from(rows - 2) / 2.0).min(f64::from(area.width - 8) / 2.0 / ASPECT);
-        let centre = (f64::from(area.width) / 2.0, f64::from(HEAD) + f64::from(rows) / 2.0);
-        let Sectors { edge, back, .. } = self.sectors;
-        let outer = Ring { ends: OUTER, strains: edge, shift: 0.0 };
-        let rings = [outer, Ring { ends: INNER, strains: back, shift: 0.5 }];
-        let all = rings.iter().flat_map(|ring| ring.strains.iter().copied());
-        let most = all.fold(f64::MIN_POSITIVE, f64::max);
-        for y in 0..rows {
-            for x in 0..area.width {
-                let across = (f64::from(x) + 0.5 - centre.0) / ASPECT;
-                let up = centre.1 - (f64::from(y + HEAD) + 0.5);
-                let (from, turn) = (across.hypot(up) / radius, across.atan2(up));
-                let within = |ring: &&Ring| (ring.ends.0..=ring.ends.1).contains(&from);
-                let Some(ring) = rings.iter().find(within) else { continue };
-                let (value, off) = self.strain(ring, turn);
-                // A dark gap between two sectors, about half a row wide.
-                let gap = (0.5 - off.abs()) * TAU / ring.strains.len() as f64 * from * radius;
-                if gap > 0.3 {
-                    let (style, shade) = Self::style(theme, value / most);
-                    sheet.put((x, y + HEAD), shade, style);
-                }
+/// Draws the strains of an eye, if there is room.
+pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    if area.width < LEAST.0 || area.height < LEAST.1 {
+        let room = format!("a fundus needs {} columns by {} rows", LEAST.0, LEAST.1);
+        sheet.put((1, 0), &room, theme.quiet());
+        return;
+    }
+    let rows = area.height - HEAD - FOOT;
+    // A row above and below holds the hours.
+    let radius = (f64::from(rows - 2) / 2.0).min(f64::from(area.width - 8) / 2.0 / ASPECT);
+    let centre = (f64::from(area.width) / 2.0, f64::from(HEAD) + f64::from(rows) / 2.0);
+    let Sectors { edge, back, .. } = sectors;
+    let outer = Ring { ends: OUTER, strains: edge, shift: 0.0 };
+    let rings = [outer, Ring { ends: INNER, strains: back, shift: 0.5 }];
+    let all = rings.iter().flat_map(|ring| ring.strains.iter().copied());
+    let most = all.fold(f64::MIN_POSITIVE, f64::max);
+    for y in 0..rows {
+        for x in 0..area.width {
+            let across = (f64::from(x) + 0.5 - centre.0) / ASPECT;
+            let up = centre.1 - (f64::from(y + HEAD) + 0.5);
+            let (from, turn) = (across.hypot(up) / radius, across.atan2(up));
+            let within = |ring: &&Ring| (ring.ends.0..=ring.ends.1).contains(&from);
+            let Some(ring) = rings.iter().find(within) else { continue };
+            let (value, off) = ring.strain(side.turn(turn));
+            // A dark gap between two sectors, about half a row wide.
+            let gap = (0.5 - off.abs()) * TAU / ring.strains.len() as f64 * from * radius;
+            if gap > 0.3 {
+                let (style, shade) = style_of(theme, value / most);
+                sheet.put((x, y + HEAD), shade, style);
             }
         }
-        let place = |share: f64, turn: f64| {
-            let x = centre.0 + ASPECT * radius * share * turn.sin();
-            let y = centre.1 - radius * share * turn.cos();
-            (x.max(0.0), y.max(0.0) as u16)
-        };
-        let mut write = |(x, y): (f64, u16), text: &str, style: Style| {
-            let left = (x - f64::from(width(text)) / 2.0).round().max(0.0) as u16;
-            sheet.put((left, y), text, style);
-        };
-        for ring in &rings {
-            let count = ring.strains.len();
-            for turn in (0..count).map(|i| TAU * (i as f64 + ring.shift) / count as f64) {
-                let (value, _) = self.strain(ring, turn);
-                let (style, _) = Self::style(theme, value / most);
-                let middle = 0.5 * (ring.ends.0 + ring.ends.1);
-                write(place(middle, turn), &format!("{:.0}", 100.0 * value), style);
-            }
+    }
+    let place = |share: f64, turn: f64| {
+        let x = centre.0 + ASPECT * radius * share * turn.sin();
+        let y = centre.1 - radius * share * turn.cos();
+        (x.max(0.0), y.max(0.0) as u16)
+    };
+    let mut write = |(x, y): (f64, u16), text: &str, style: Style| {
+        let left = (x - f64::from(width(text)) / 2.0).round().max(0.0) as u16;
+        sheet.put((left, y), text, style);
+    };
+    for ring in &rings {
+        let count = ring.strains.len();
+        for turn in (0..count).map(|i| TAU * (i as f64 + ring.shift) / count as f64) {
+            let (value, _) = ring.strain(side.turn(turn));
+            let (style, _) = style_of(theme, value / most);
+            let middle = 0.5 * (ring.ends.0 + ring.ends.1);
+            write(place(middle, turn), &format!("{:.0}", 100.0 * value), style);
         }
-        for hour in 1..=HOURS {
-            let outside = place(1.0 + 0.9 / radius, TAU * (hour % HOURS) as f64 / HOURS as f64);
-            write(outside, &hour.to_string(), theme.strong());
-        }
-        let nose = self.side.turn(0.25 * TAU);
-        write(place(0.0, 0.0), "+", theme.text());
-        write(place(0.2, nose), "o", theme.text());
-        // Heading, sides and legend.
-        let (eye, left, right) = self.side.seen();
-        let hour = Sectors::strongest(&self.sectors.edge);
-        let hour = self.side.hour(TAU * hour as f64 / HOURS as f64);
-        let title = format!("Retina, {eye} eye, seen from in front; strain in %");
-        sheet.put((1, 0), &title, theme.heading());
-        let most = format!("most at {hour} o'clock");
-        if width(&title) + width(&most) + 3 < area.width {
-            sheet.put_right((area.width - 1, 0), &most, theme.strong());
-        }
-        let bottom = area.height - 1;
-        sheet.put((1, bottom), left, theme.quiet());
-        sheet.put_right((area.width - 1, bottom), right, theme.quiet());
-        let legend = "outer ring: front edge; inner: back; o disc";
-        if area.width > width(legend) + 18 {
-            let x = (area.width - width(legend)) / 2;
-            sheet.put((x, bottom), legend, theme.quiet());
-        }
+    }
+    for hour in 1..=HOURS {
+        let outside = place(1.0 + 0.9 / radius, TAU * (hour % HOURS) as f64 / HOURS as f64);
+        write(outside, &hour.to_string(), theme.strong());
+    }
+    let nose = side.turn(0.25 * TAU);
+    write(place(0.0, 0.0), "+", theme.text());
+    write(place(0.2, nose), "o", theme.text());
+    // Heading, sides and legend.
+    let (eye, left, right) = side.seen();
+    let hour = Sectors::strongest(edge);
+    let hour = side.hour(TAU * hour as f64 / HOURS as f64);
+    let title = format!("Retina, {eye} eye, seen from in front; strain in %");
+    sheet.put((1, 0), &title, theme.heading());
+    let most = format!("most at {hour} o'clock");
+    if width(&title) + width(&most) + 3 < area.width {
+        sheet.put_right((area.width - 1, 0), &most, theme.strong());
+    }
+    let bottom = area.height - 1;
+    sheet.put((1, bottom), left, theme.quiet());
+    sheet.put_right((area.width - 1, bottom), right, theme.quiet());
+    let legend = "outer ring: front edge; inner: back; o disc";
+    if area.width > width(legend) + 18 {
+        let x = (area.width - width(legend)) / 2;
+        sheet.put((x, bottom), legend, theme.quiet());
     }
 }
 
@@ -150,7 +142,7 @@ mod tests {
         let area = Rect::new(0, 0, 60, 20);
         let mut buffer = Buffer::empty(area);
         let look = Look::new(Depth::TwoFiveSix, Symbols::Braille);
-        Fundus { sectors, side }.draw(&mut Sheet::new(&mut buffer, area, look));
+        draw(sectors, side, &mut Sheet::new(&mut buffer, area, look));
         let rows = buffer.content.chunks(area.width.into());
         rows.map(|row| row.iter().map(Cell::symbol).collect()).collect()
     }

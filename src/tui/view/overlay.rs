@@ -195,14 +195,11 @@ fn choice_row(choice: &Choice, chosen: bool, sheet: &mut Sheet) {
     let theme = sheet.theme;
     let style = if chosen { theme.focus() } else { theme.strong() };
     sheet.put((0, 0), fitted(&choice.name, usize::from(NAME)), style);
-    let scenario = match &choice.scenario {
-        Ok(scenario) => scenario,
-        Err(why) => {
-            let room = usize::from(sheet.area.width - NAME - 1);
-            sheet.put((NAME + 1, 0), fitted(why, room), theme.error());
-            return;
-        }
-    };
+    if let Err(why) = &choice.scenario {
+        let room = usize::from(sheet.area.width - NAME - 1);
+        sheet.put((NAME + 1, 0), fitted(why, room), theme.error());
+    }
+    let Ok(scenario) = &choice.scenario else { return };
     for (right, fact) in FACTS.into_iter().zip(facts(scenario)) {
         sheet.put_right((right, 0), &fact, theme.text());
     }

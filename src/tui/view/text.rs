@@ -16,15 +16,12 @@ pub fn fitted(text: &str, room: usize) -> String {
     if text.width() <= room {
         return text.to_owned();
     }
-    if room == 0 {
-        return String::new();
-    }
     let mut used = 1;
     let fits = |c: &char| {
         used += c.width().unwrap_or(0);
         used <= room
     };
-    text.chars().take_while(fits).chain(['…']).collect()
+    text.chars().take_while(fits).chain((room > 0).then_some('…')).collect()
 }
 
 /// A text in lines of at most so many cells; a word that is longer is cut.
@@ -52,10 +49,7 @@ pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         match lines.last_mut() {
-            Some(line) if width(line) + 2 + width(part) <= room => {
-                line.push_str("  ");
-                line.push_str(part);
-            }
+            Some(line) if width(line) + 2 + width(part) <= room => line.extend(["  ", part]),
             _ => lines.push(fitted(part, usize::from(room))),
         }
     }

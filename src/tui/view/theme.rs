@@ -238,13 +238,10 @@ mod tests {
             panic!("{color:?} is none of the 256");
         };
         let level = |step: u8| if step == 0 { 0.0 } else { 55.0 + 40.0 * f64::from(step) };
-        let bytes = match index {
-            16..=231 => {
-                let cube = index - 16;
-                [cube / 36, cube / 6 % 6, cube % 6].map(level)
-            }
-            232.. => [f64::from(8 + 10 * u32::from(index - 232)); 3],
-            _ => panic!("{index} depends on the terminal"),
+        assert!(index >= 16, "{index} depends on the terminal");
+        let bytes = match index - 16 {
+            cube @ ..216 => [cube / 36, cube / 6 % 6, cube % 6].map(level),
+            grey => [8.0 + 10.0 * f64::from(grey - 216); 3],
         };
         bytes.map(|byte| byte / 255.0)
     }

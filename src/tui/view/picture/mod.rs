@@ -275,8 +275,11 @@ impl Anatomical<'_> {
     }
 }
 
+/// What a cell shows.
+type Sign = (char, Style);
+
 /// A cell in two colours, or in one with dots.
-fn coloured(own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+fn coloured(own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let (mut first, mut second, mut mask) = two(own);
     // What has no colour of its own is the ground.
     let colour = |tint: Tint| theme.part(tint.part, tint.step);
@@ -305,13 +308,7 @@ fn block(mask: u8, points: usize) -> char {
 }
 
 /// A cell without colours: what is thin is solid, an area a pattern.
-fn mono(
-    look: Look,
-    own: &[Tint],
-    edge: impl Fn(usize) -> bool,
-    ghost: u8,
-    lattice: bool,
-) -> (char, Style) {
+fn mono(look: Look, own: &[Tint], edge: impl Fn(usize) -> bool, ghost: u8, lattice: bool) -> Sign {
     let solid = |i: &usize| own[*i].part.is_line() || edge(*i);
     let mask = (0..own.len()).filter(solid).fold(0_u8, |mask, bit| mask | 1 << bit);
     if mask != 0 {
@@ -360,7 +357,7 @@ fn dotted(bits: u8, look: Look) -> char {
 }
 
 /// The sign of a part.
-fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let Tint { part, step } = tint;
     let sign = match part {
         _ if ghost != 0 && !part.is_line() => ':',

@@ -17,17 +17,17 @@ impl Samples {
     pub fn new(
         layers: &[Shape],
         window: &Window,
-        points: (usize, usize),
-        a_cell: (usize, usize),
+        all: (usize, usize),
+        cell: (usize, usize),
     ) -> Self {
         // Of a large picture fewer samples tell as much.
-        let fine = if points.0 * points.1 > 12_000 { 2 } else { 4 };
-        let (width, height) = (points.0 * fine, points.1 * fine);
-        let mut all = Self { fine, width, height, labels: vec![Part::Sky; width * height] };
+        let fine = if all.0 * all.1 > 12_000 { 2 } else { 4 };
+        let (width, height) = (all.0 * fine, all.1 * fine);
+        let mut grid = Self { fine, width, height, labels: vec![Part::Sky; width * height] };
         for shape in layers {
-            all.fill(shape, window, a_cell);
+            grid.fill(shape, window, cell);
         }
-        all
+        grid
     }
 
     /// Fills what the rings of a shape go round, whichever way.
