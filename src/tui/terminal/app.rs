@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
-use crossterm::event::KeyCode;
+use crossterm::{Command, clipboard::CopyToClipboard, event::KeyCode};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -18,7 +18,6 @@ use crate::scenario::library;
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, frame};
 use crate::tui::save::{SaveError, page, remove, rename, save};
-use crate::tui::terminal::clipboard::copied;
 use crate::tui::terminal::event::{Event, leaving};
 use crate::tui::terminal::input::{Parser, TerminalInput};
 use crate::tui::terminal::pacer::{Cause, Pacer};
@@ -89,6 +88,26 @@ fn in_folder<T>(act: impl FnOnce(&Path) -> Result<T, SaveError>) -> Result<T, Sa
 /// What came of something, in words.
 fn said_of(outcome: Result<String, SaveError>) -> Message {
     Message::Said(outcome.unwrap_or_else(|error| error.to_string()))
+}
+
+/// The escape sequence (OSC 52) that puts a text on the clipboard of whoever sits at the terminal,
+/// even over ssh; none for consoles that would print it. Nobody asks whether a terminal takes it,
+/// most that do not pass over it; through tmux it goes both ways, as one may be passed on.
+fn copied(text: &str, env: impl Fn(&str) -> Option<String>) -> Option<String> {
+    let term = env("TERM").unwrap_or_default();
+    // Consoles without a clipboard, and real terminals.
+    if term == "linux" || term == "dumb" || term.starts_with("vt") {
+        return None;
+    }
+    let mut plain = String::new();
+    // A string takes whatever it is given.
+    let _ = CopyToClipboard::to_clipboard_from(text).write_ansi(&mut plain);
+    if env("TMUX").is_some_and(|tmux| !tmux.is_empty()) {
+        // Within a passage through tmux every escape is doubled.
+        let passed = plain.replace('\x1b', "\x1b\x1b");
+        plain += &format!("\x1bPtmux;{passed}\x1b\\");
+    }
+    Some(plain)
 }
 
 struct EventLoop {
@@ -206,10 +225,9 @@ impl EventLoop {
             (self.shown, self.pen) = (Buffer::empty(area), Pen::default());
             bytes.extend_from_slice(b"\x1b[0m\x1b[2J");
         }
-        let empty = bytes.len();
         self.pen.draw(&self.shown, &next, &mut bytes);
         self.shown = next;
-        if bytes.len() == empty && empty == BEGIN.len() {
+        if bytes.len() == BEGIN.len() {
             return Ok(());
         }
         bytes.extend_from_slice(END);
@@ -245,9 +263,13 @@ impl EventLoop {
     }
 
     fn handle_input(&mut self, input: TerminalInput) -> io::Result<()> {
-        if !matches!(input, TerminalInput::CursorReport(_)) {
+        if let TerminalInput::CursorReport(column) = input {
+            // The loop looks afresh at what may be sent.
+            self.pacer.replied(Instant::now(), column);
+        } else {
             self.last_key = Instant::now();
         }
+        let size = (self.shown.area.width, self.shown.area.height);
         match input {
             TerminalInput::Key(event) => {
                 let fatal = self.settings.fail_on.map(KeyCode::Char);
@@ -256,16 +278,10 @@ impl EventLoop {
             }
             TerminalInput::Paste(text) => self.send(Message::Paste(text)),
             TerminalInput::Mouse(event) if self.app.model.mouse => {
-                let area = self.shown.area;
-                self.send(Message::Mouse(event, (area.width, area.height)))
+                self.send(Message::Mouse(event, size))
             }
-            // From before it was switched off.
-            TerminalInput::Mouse(_) => Ok(()),
-            // The loop looks afresh at what may be sent.
-            TerminalInput::CursorReport(column) => {
-                self.pacer.replied(Instant::now(), column);
-                Ok(())
-            }
+            // The mouse may have been switched off since.
+            TerminalInput::Mouse(_) | TerminalInput::CursorReport(_) => Ok(()),
         }
     }
 
@@ -377,17 +393,14 @@ impl EventLoop {
     /// Hands a request to the thread of its kind.
     fn start(&mut self, request: Request) -> io::Result<()> {
         let kind = request.kind();
-        let worker = match self.workers.entry(kind) {
-            Entry::Occupied(there) => there.into_mut(),
-            Entry::Vacant(none) => {
-                let limit = self.settings.guest_limit.map(|_| LONGEST_ANSWER);
-                let sender = self.sender.clone();
-                // Nobody listens once the app is leaving.
-                let tell = move |report| drop(sender.send(Event::News(Message::News(report))));
-                none.insert(Worker::start(limit, kind.1, tell)?)
-            }
-        };
-        worker.submit(request);
+        if let Entry::Vacant(none) = self.workers.entry(kind) {
+            let limit = self.settings.guest_limit.map(|_| LONGEST_ANSWER);
+            let sender = self.sender.clone();
+            // Nobody listens once the app is leaving.
+            let tell = move |report| drop(sender.send(Event::News(Message::News(report))));
+            none.insert(Worker::start(limit, kind.1, tell)?);
+        }
+        self.workers[&kind].submit(request);
         Ok(())
     }
 
@@ -404,5 +417,25 @@ impl EventLoop {
             self.repaint();
         }
         news.into_iter().try_for_each(|event| self.handle(event))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_goes_out_in_base64_through_tmux_both_ways_and_to_no_console() {
+        let plain = "\x1b]52;c;YSBzdW1tYXJ5Cg==\x1b\\";
+        let wrapped = "\x1bPtmux;\x1b\x1b]52;c;YSBzdW1tYXJ5Cg==\x1b\x1b\\\x1b\\";
+        for (term, tmux, expected) in [
+            ("linux", "", None),
+            ("vt100", "", None),
+            ("xterm-256color", "", Some(plain.to_owned())),
+            ("tmux-256color", "/tmp/tmux", Some(format!("{plain}{wrapped}"))),
+        ] {
+            let env = |name: &str| Some(if name == "TERM" { term } else { tmux }.to_owned());
+            assert_eq!(copied("a summary\n", env), expected, "{term}");
+        }
     }
 }

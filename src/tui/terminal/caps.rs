@@ -47,7 +47,6 @@ pub enum Depth {
 /// The colours to use; `None` where no screen can be drawn at all. A terminal of 24 bits gets 256:
 /// more colours only cost bytes on the wire.
 pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<Depth> {
-    let is_plain = || env("NO_COLOR").is_some_and(|value| !value.is_empty());
     let term = env("TERM").unwrap_or_default();
     if term == "dumb" {
         return None;
@@ -59,7 +58,7 @@ pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<De
         ColorFlag::Never => Depth::Mono,
         ColorFlag::Sixteen => Depth::Sixteen,
         ColorFlag::TwoFiveSix => Depth::TwoFiveSix,
-        ColorFlag::Auto if is_plain() => Depth::Mono,
+        ColorFlag::Auto if env("NO_COLOR").is_some_and(|set| !set.is_empty()) => Depth::Mono,
         ColorFlag::Auto if is_rich || is_wide => Depth::TwoFiveSix,
         ColorFlag::Auto if term.starts_with("vt") => Depth::Mono,
         ColorFlag::Auto => Depth::Sixteen,

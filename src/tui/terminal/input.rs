@@ -84,7 +84,7 @@ impl Parser {
         }
         let held = std::mem::take(&mut self.held);
         match held.as_slice() {
-            [0x1b] => Some(key(KeyCode::Esc, KeyModifiers::NONE)),
+            [0x1b] => Some(plain(KeyCode::Esc)),
             [0x1b, b'['] => Some(key(KeyCode::Char('['), KeyModifiers::ALT)),
             [0x1b, b'O'] => Some(key(KeyCode::Char('O'), KeyModifiers::ALT)),
             _ => None,
@@ -123,13 +123,16 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> TerminalInput {
     TerminalInput::Key(KeyEvent::new(code, modifiers))
 }
 
+fn plain(code: KeyCode) -> TerminalInput {
+    key(code, KeyModifiers::NONE)
+}
+
 /// Whether these bytes begin an OSC, DCS, APC or PM, which run to ST or BEL.
 fn is_string(held: &[u8]) -> bool {
     matches!(held, [0x1b, b']' | b'P' | b'_' | b'^', ..])
 }
 
 fn parse(held: &[u8]) -> Parsed {
-    let plain = |code| key(code, KeyModifiers::NONE);
     match held {
         [0x1b] | [0x1b, b'[' | b'O'] | [0x1b, b'[', b'['] => None,
         // The console of Linux sends its first five function keys in a way of its own.
@@ -217,13 +220,10 @@ fn mouse_report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
         _ => return None,
     };
     let shift = button & 0b100 != 0;
-    Some(MouseEvent {
-        kind,
-        // Terminals count from one.
-        column: column.checked_sub(1)?,
-        row: row.checked_sub(1)?,
-        modifiers: if shift { KeyModifiers::SHIFT } else { KeyModifiers::NONE },
-    })
+    let modifiers = if shift { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
+    // Terminals count from one.
+    let (column, row) = (column.checked_sub(1)?, row.checked_sub(1)?);
+    Some(MouseEvent { kind, column, row, modifiers })
 }
 
 /// The modifiers of `ESC [ 1 ; n A`.
@@ -274,10 +274,6 @@ mod tests {
         Parser::default().feed(bytes)
     }
 
-    fn plain(code: KeyCode) -> TerminalInput {
-        key(code, KeyModifiers::NONE)
-    }
-
     #[test]
     fn keys_are_read_with_their_modifiers() {
         use KeyCode::{BackTab, Char, Down, Enter, F, PageUp, Right, Up};
@@ -320,9 +316,8 @@ mod tests {
             "\x1b[I",
             "\x1b[<35;10;10M",
         ] {
-            let mut parser = Parser::default();
-            assert_eq!(parser.feed(reply.as_bytes()), [], "{reply:?}");
-            assert_eq!(parser.feed(b"x"), [plain(KeyCode::Char('x'))], "{reply:?}");
+            let read = keys(&[reply.as_bytes(), b"x"].concat());
+            assert_eq!(read, [plain(KeyCode::Char('x'))], "{reply:?}");
         }
     }
 

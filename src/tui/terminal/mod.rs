@@ -6,7 +6,6 @@
 
 mod app;
 pub mod caps;
-mod clipboard;
 mod event;
 pub mod input;
 pub mod pacer;

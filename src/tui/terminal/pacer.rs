@@ -10,8 +10,7 @@
 //! Each reply names its question, so a late one frees no later frame and a lost one is not missed.
 //! A terminal that has ever answered and falls silent is stopped, or its link is: it gets no more
 //! frames, only a bare question now and then in case a reply was lost, and goes on with the first
-//! reply. A terminal that has never answered is asked twice; then a budget of bytes a second takes
-//! over.
+//! reply. One that has never answered is asked twice; then a budget of bytes a second takes over.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -80,7 +79,6 @@ impl Pacer {
         Self { local: true, ..Self::default() }
     }
 
-    /// Whether questions are asked.
     fn asks(&self) -> bool {
         !self.local && (self.answers || self.silences < MAX_SILENCES)
     }
@@ -106,8 +104,7 @@ impl Pacer {
 
     /// The column of a bare question that is due, for a terminal that used to answer.
     pub fn probe(&mut self, now: Instant) -> Option<u8> {
-        let due = self.probe_at().is_some_and(|at| now >= at);
-        due.then(|| self.ask(now, None))
+        self.probe_at().filter(|at| now >= *at).map(|_| self.ask(now, None))
     }
 
     /// The longer the silence, the longer until the next bare question.
@@ -139,15 +136,14 @@ impl Pacer {
     /// Tells bytes from round trip: the slope of the line through the samples.
     fn judge(&mut self) {
         let count = self.samples.len() as f64;
-        let mean = |of: fn(&(f64, f64)) -> f64| self.samples.iter().map(of).sum::<f64>() / count;
-        let (size, delay) = (mean(|s| s.0), mean(|s| s.1));
-        let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
-            let part = |s: &(f64, f64)| of(s.0 - size, s.1 - delay);
-            self.samples.iter().map(part).sum()
+        let mean = |of: &dyn Fn(f64, f64) -> f64| {
+            self.samples.iter().map(|(bytes, seconds)| of(*bytes, *seconds)).sum::<f64>() / count
         };
-        let variance = sum(&|bytes, _| bytes * bytes) / count;
+        let (size, delay) = (mean(&|bytes, _| bytes), mean(&|_, seconds| seconds));
+        let variance = mean(&|bytes, _| (bytes - size) * (bytes - size));
         if self.samples.len() >= FEWEST && variance > LEAST_DEVIATION * LEAST_DEVIATION {
-            self.per_byte = sum(&|bytes, seconds| bytes * seconds) / count / variance;
+            let both = mean(&|bytes, seconds| (bytes - size) * (seconds - delay));
+            self.per_byte = both / variance;
         }
     }
 

@@ -2,8 +2,6 @@
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-#[cfg(unix)]
-use std::{thread, time::Duration};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
@@ -88,7 +86,7 @@ pub(super) fn abandon(code: i32) -> ! {
             leave(&out);
         }
     });
-    thread::sleep(Duration::from_millis(200));
+    std::thread::sleep(std::time::Duration::from_millis(200));
     let _ = disable_raw_mode();
     std::process::exit(code)
 }

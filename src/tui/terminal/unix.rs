@@ -36,10 +36,8 @@ pub(super) fn pacer() -> Pacer {
     Pacer::default()
 }
 
-/// Asks for presses, drags and the wheel, with coordinates of any size; a mouse that merely moves
-/// sends nothing.
+/// Asks for presses, drags and the wheel; a mouse that merely moves sends nothing.
 const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
-/// Asks for nothing any more.
 const MOUSE_OFF: &[u8] = b"\x1b[?1002l\x1b[?1006l";
 
 /// Has the terminal report its mouse, or no longer.

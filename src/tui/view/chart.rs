@@ -197,25 +197,25 @@ pub fn axes(
     margin: u16,
     sheet: &mut Sheet,
 ) {
-    let (area, theme) = (sheet.area, sheet.theme);
+    let (area, quiet) = (sheet.area, sheet.theme.quiet());
     let (left, top) = (field.x - area.x, field.y - area.y);
     let bottom = top + field.height;
     axis_lines(field, sheet);
     for (share, label) in up {
         let y = top + along(share, field.height);
-        sheet.put_right((left - 1, y), label, theme.quiet());
-        sheet.put((left - 1, y), "┤", theme.quiet());
+        sheet.put_right((left - 1, y), label, quiet);
+        sheet.put((left - 1, y), "┤", quiet);
     }
     let mut free = 0;
     for (share, label) in across {
         let (x, wide) = (left + along(share, field.width), width(&label));
         let begin = x.saturating_sub(wide / 2).min(area.width - wide);
-        sheet.put((x, bottom), "┬", theme.quiet());
+        sheet.put((x, bottom), "┬", quiet);
         if begin >= free && begin + wide + 3 + margin <= area.width {
-            free = sheet.put((begin, bottom + 1), label, theme.quiet()) + 1;
+            free = sheet.put((begin, bottom + 1), label, quiet) + 1;
         }
     }
-    sheet.put_right((area.width - margin, bottom + 1), "ms", theme.quiet());
+    sheet.put_right((area.width - margin, bottom + 1), "ms", quiet);
 }
 
 /// The lines of two axes, at the left of a field and below it.

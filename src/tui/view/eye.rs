@@ -26,12 +26,8 @@ use crate::tui::{clock::MeshDetail, look::Look, model::AppModel, shown::ShownAns
 const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);
 const ARC_M: f64 = 13.0e-3;
 
-/// From so many columns on a picture says which way is which.
-const NAMED: u16 = 14;
 /// What lies at the top of a section that nothing turns.
 const UP: &str = "up";
-/// Times this close are one, in s.
-const SAME_TIME: f64 = 1e-9;
 
 /// Ranks of what lies over what.
 const COLD: u8 = 1;
@@ -124,16 +120,13 @@ impl<'a> EyePicture<'a> {
             return;
         }
         let mut raster = Raster::new(area, self.look.symbols);
-        let projection = Projection::new(&raster, self.shown.drawing.reach);
-        let thresholds = thresholds(self.largest, theme.heat_steps());
-        let drawing = &self.shown.drawing;
-        let picture = Picture { scene: self, drawing, frame, thresholds, theme, projection };
+        let picture = Picture::new(self, frame, theme, &raster);
         picture.springs(&mut raster);
         if self.detail == MeshDetail::Nodes {
             picture.nodes(&mut raster);
         }
         picture.blow(&mut raster);
-        self.arrow(theme, &mut raster, |at| picture.projection.dot(at));
+        self.arrow(theme, &mut raster, |at| picture.dot(at));
         raster.paint(sheet.buffer);
         if theme.is_mono() {
             picture.digits(&raster, sheet.buffer);
@@ -188,7 +181,7 @@ impl<'a> EyePicture<'a> {
 /// Which way is which, in the corners that the eye leaves free.
 fn directions(up: &str, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    if area.width < NAMED || area.height == 0 {
+    if area.width < 14 || area.height == 0 {
         return;
     }
     // The last column may be that of a margin.
@@ -215,25 +208,33 @@ pub fn angle_at(area: Rect, model: &AppModel, shown: &ShownAnswer, at: (u16, u16
     (-2.0 * down).atan2(-right)
 }
 
-/// From metres to dots.
-struct Projection {
+struct Picture<'a> {
+    scene: &'a EyePicture<'a>,
+    drawing: &'a Drawing,
+    frame: &'a Frame,
+    thresholds: Vec<f64>,
+    theme: Theme,
+    /// From metres to dots.
     centre: (f64, f64),
     scale: (f64, f64),
     /// Whether cold fat would only blur the picture.
     is_small: bool,
 }
 
-impl Projection {
-    /// Half of the width and of the height that must be seen, in m.
-    fn new(raster: &Raster, (wide, high): (f64, f64)) -> Self {
+impl<'a> Picture<'a> {
+    fn new(scene: &'a EyePicture, frame: &'a Frame, theme: Theme, raster: &Raster) -> Self {
+        let drawing = &scene.shown.drawing;
+        let thresholds = thresholds(scene.largest, theme.heat_steps());
         let (width, height) = raster.size();
         let (width, height) = (f64::from(width), f64::from(height));
         // Height of a dot over its width, taking a cell to be twice as high as wide.
         let (across, down) = raster.grain();
         let aspect = 2.0 * f64::from(across) / f64::from(down);
+        let (wide, high) = drawing.reach;
         let scale = ((width - 1.0) / 2.0 / wide).min((height - 1.0) * aspect / 2.0 / high);
         let is_small = scale * wide < 32.0;
-        Self { centre: (width / 2.0, height / 2.0), scale: (scale, scale / aspect), is_small }
+        let (centre, scale) = ((width / 2.0, height / 2.0), (scale, scale / aspect));
+        Self { scene, drawing, frame, thresholds, theme, centre, scale, is_small }
     }
 
     /// In whole parts of a dot: what lies on the axis, between two rows of dots, stays in one of
@@ -243,21 +244,10 @@ impl Projection {
         let whole = |dots: f64| (dots * PARTS).round() / PARTS;
         (whole(self.centre.0 + at.x * self.scale.0), whole(self.centre.1 - at.y * self.scale.1))
     }
-}
 
-struct Picture<'a> {
-    scene: &'a EyePicture<'a>,
-    drawing: &'a Drawing,
-    frame: &'a Frame,
-    thresholds: Vec<f64>,
-    theme: Theme,
-    projection: Projection,
-}
-
-impl Picture<'_> {
     fn place(&self, node: usize) -> (f64, f64) {
         let zoom = f64::from(self.scene.zoom);
-        self.projection.dot(self.drawing.place(self.frame, node, zoom))
+        self.dot(self.drawing.place(self.frame, node, zoom))
     }
 
     fn force(&self, node: usize) -> f64 {
@@ -278,7 +268,7 @@ impl Picture<'_> {
                 _ if outline && self.scene.lean => 0,
                 _ => step_of(force, &self.thresholds),
             };
-            if step == 0 && region == Region::Fat && self.projection.is_small {
+            if step == 0 && region == Region::Fat && self.is_small {
                 continue;
             }
             // Hot springs change from frame to frame, so on a slow link only the hottest are sent.
@@ -290,7 +280,7 @@ impl Picture<'_> {
             // The retina lies inside the shell; a second line there tells it from the rest.
             if region == Region::Retina {
                 let inwards = |(x, y): (f64, f64)| {
-                    let (dx, dy) = (self.projection.centre.0 - x, self.projection.centre.1 - y);
+                    let (dx, dy) = (self.centre.0 - x, self.centre.1 - y);
                     let length = dx.hypot(dy).max(1.0);
                     (x + dx / length, y + dy / length)
                 };
@@ -362,7 +352,7 @@ impl Picture<'_> {
             let letter = of.row().short.chars().next();
             let places = (raster.cell(self.place(*node)), self.scene.shown.answer.peak(of));
             let (Some(letter), (Some(at), Some(peak))) = (letter, places) else { continue };
-            let is_now = (peak.time - self.scene.time).abs() < SAME_TIME;
+            let is_now = (peak.time - self.scene.time).abs() < 1e-9;
             let style = if is_now { self.theme.focus() } else { self.theme.strong() };
             buffer[at].set_char(letter.to_ascii_uppercase()).set_style(style);
         }
@@ -377,7 +367,7 @@ impl Picture<'_> {
         }
         let ink = Ink::solid(self.theme.part(Part::Object, 0).into(), BLOW, 'o');
         for [from, to] in object_sides(self.drawing, self.frame) {
-            raster.line(self.projection.dot(from), self.projection.dot(to), ink);
+            raster.line(self.dot(from), self.dot(to), ink);
         }
     }
 }

@@ -10,7 +10,6 @@ pub mod heat;
 pub mod overlay;
 pub mod palette;
 pub mod picture;
-pub mod popup;
 pub mod raster;
 pub mod risks;
 pub mod sheet;

@@ -2,13 +2,15 @@
 //! marked preset, and the value at which a result reaches what is asked.
 
 use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Clear, Widget};
 
+use crate::plain_text::printable;
 use crate::report::threshold::{brief, never};
 use crate::tui::changing::Changing;
 use crate::tui::form::{allowed, typed_text};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
 use crate::tui::picker::{Picker, facts};
-use crate::tui::view::popup::{MARGIN, frame, input};
 use crate::tui::view::text::{fitted, seen, width, wrapped};
 use crate::tui::view::{chart::mark, sheet::Sheet};
 use crate::tui::{choices::Choice, line::TextLine, model::AppModel, threshold::Asking};
@@ -40,14 +42,11 @@ fn typed_name(naming: &Naming, name: &TextLine, error: &str, sheet: &mut Sheet) 
     inside.put_lines((0, 2), wrapped(error, usize::from(room)), theme.error());
 }
 
-/// Columns of a question.
-const WIDE: u16 = 50;
-
 fn ask(question: &Prompt, sheet: &mut Sheet) {
-    let theme = sheet.theme;
-    let lines = wrapped(&question.text(), usize::from(WIDE - MARGIN));
+    let (theme, wide) = (sheet.theme, 50);
+    let lines = wrapped(&question.text(), usize::from(wide - MARGIN));
     let rows = (lines.len() as u16).max(3);
-    let mut inside = frame("Sure?", (WIDE, rows + 3), sheet);
+    let mut inside = frame("Sure?", (wide, rows + 3), sheet);
     inside.put_lines((0, 0), &lines, theme.text());
     inside.put((0, rows), "Enter or y: yes   Esc or n: no", theme.strong());
 }
@@ -68,10 +67,8 @@ fn change(changing: &Changing, sheet: &mut Sheet) {
         Some(why) => (why.clone(), theme.error()),
         None => (format!("{}: {}", field.help, allowed(&changing.scenario, field)), theme.quiet()),
     };
-    let lines = wrapped(&said, usize::from(wide));
-    sheet.put_lines((0, 2), lines.iter().take(3), style);
-    let keys = "↑↓ another field   Enter takes it   Esc leaves it";
-    sheet.put((0, 5), keys, theme.strong());
+    sheet.put_lines((0, 2), wrapped(&said, usize::from(wide)).iter().take(3), style);
+    sheet.put((0, 5), "↑↓ another field   Enter takes it   Esc leaves it", theme.strong());
 }
 
 /// At which value of a number a result reaches what is asked, and the answer.
@@ -98,12 +95,11 @@ fn threshold(model: &AppModel, asking: &Asking, sheet: &mut Sheet) {
             y += 1;
         }
     };
+    let complaint = asking.task.complaint.as_ref().map(|(_, why)| why);
     if let Some(pace) = asking.task.pace(None) {
         say(&format!("looking: {pace}"), theme.text());
         say("Esc stops.", theme.quiet());
-    } else if let Some(why) = &asking.error {
-        say(why, theme.error());
-    } else if let Some((_, why)) = &asking.task.complaint {
+    } else if let Some(why) = asking.error.as_ref().or(complaint) {
         say(why, theme.error());
     } else if let Some((asked, found)) = &asking.found {
         for (i, crossing) in found.crossings.iter().enumerate() {
@@ -173,8 +169,7 @@ fn pick(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
     sheet.put((0, 1), "preset", theme.quiet());
     let rows = picker.shown.iter().enumerate().skip(first).take(room);
     for (y, (i, at)) in (ABOVE..).zip(rows) {
-        let line = &mut sheet.row(y);
-        let choice = &model.choices[*at];
+        let (line, choice) = (&mut sheet.row(y), &model.choices[*at]);
         choice_row(choice, i == picker.row, line);
         let mut marked = picker.marked.iter().flatten();
         if let Some(place) = marked.position(|name| *name == choice.name) {
@@ -211,4 +206,42 @@ fn choice_row(choice: &Choice, chosen: bool, sheet: &mut Sheet) {
         origin => format!("{origin}: {}", scenario.name),
     };
     sheet.put((REST, 0), fitted(&rest, room), theme.text());
+}
+
+/// Columns that a frame takes.
+pub const MARGIN: u16 = 4;
+
+/// A frame in the middle; gives what is inside.
+pub fn frame<'a>(title: &str, (wide, high): (u16, u16), sheet: &'a mut Sheet) -> Sheet<'a> {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let (wide, high) = (wide.min(area.width), high.min(area.height));
+    let (x, y) = ((area.width - wide) / 2, (area.height - high) / 2);
+    let place = sheet.part((x, y), (wide, high)).area;
+    let title = Span::styled(format!(" {} ", printable(title)), theme.heading());
+    let title = Line::from(vec![Span::styled("─", theme.quiet()), title]);
+    Clear.render(place, sheet.buffer);
+    let block = Block::bordered().style(theme.quiet()).title(title);
+    block.render(place, sheet.buffer);
+    sheet.part((x + 2, y + 1), (wide - MARGIN, high - 2))
+}
+
+/// Text that is being typed, scrolled so that its cursor is seen; all of it is one if selected.
+pub fn input(line: &TextLine, style: Style, sheet: &mut Sheet) {
+    let (area, cursor) = (sheet.area, sheet.theme.focus());
+    let input = &line.input;
+    let style = if line.selected { cursor } else { style };
+    let room = usize::from(area.width.saturating_sub(1));
+    let hidden = input.visual_scroll(room);
+    let (mut x, mut skipped) = (0, 0);
+    for text in input.value().chars().map(String::from) {
+        if skipped < hidden {
+            skipped += usize::from(width(&text));
+        } else {
+            x = sheet.put((x, 0), &text, style);
+        }
+    }
+    let at = input.visual_cursor().saturating_sub(hidden) as u16;
+    if at < area.width {
+        sheet.cell((at, 0)).set_style(cursor);
+    }
 }

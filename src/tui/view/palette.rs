@@ -30,11 +30,9 @@ impl Ground {
     /// place among the sixteen colours.
     pub fn is_light(self, env: impl Fn(&str) -> Option<String>) -> bool {
         match self {
-            Self::Auto => {
-                let told = env("COLORFGBG").unwrap_or_default();
-                let behind = told.rsplit(';').next().and_then(|part| part.parse::<u8>().ok());
-                behind.is_some_and(|behind| behind == 7 || behind > 8)
-            }
+            Self::Auto => env("COLORFGBG")
+                .and_then(|told| told.rsplit(';').next()?.parse().ok())
+                .is_some_and(|behind: u8| behind == 7 || behind > 8),
             Self::Dark => false,
             Self::Light => true,
         }
@@ -68,10 +66,10 @@ pub fn ink(place: u8) -> Color {
 
 impl Serialize for Colour {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0.map(|place| (place, SIXTEEN.get(usize::from(place)))) {
+        match self.0 {
             None => serializer.serialize_str(AUTO),
-            Some((_, Some((name, _)))) => serializer.serialize_str(name),
-            Some((place, None)) => serializer.serialize_u8(place),
+            Some(few @ ..16) => serializer.serialize_str(SIXTEEN[usize::from(few)].0),
+            Some(place) => serializer.serialize_u8(place),
         }
     }
 }

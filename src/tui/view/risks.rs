@@ -178,17 +178,15 @@ fn wider(model: &AppModel, answer: &Answer) -> Option<String> {
 /// still to be counted. In short where `rows` are few, and as much of it as they hold.
 pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Vec<String> {
     let (risks, spoiled) = (answer.risks(), unusable(answer));
-    let said = |brief: bool| -> Vec<String> {
-        let mut said: Vec<String> = spoiled.iter().cloned().collect();
-        if model.stale() == Some(FIRST_ESTIMATE) {
-            said.push("as if straight on, with the error of its step alone".to_owned());
-        }
-        if answer.pressed_flat() {
-            said.push("eye pressed flat, flatter than any tested (±?)".to_owned());
-        }
-        if risks.iter().any(Risk::bursts) {
-            said.push(BURST.to_owned());
-        }
+    let (counting, wider) = (counting(model, answer), wider(model, answer));
+    let straight = model.stale() == Some(FIRST_ESTIMATE);
+    let states = [
+        (straight, "as if straight on, with the error of its step alone"),
+        (answer.pressed_flat(), "eye pressed flat, flatter than any tested (±?)"),
+        (risks.iter().any(Risk::bursts), BURST),
+    ];
+    let said = |brief: bool| -> Vec<&str> {
+        let states = states.iter().filter(|(holds, _)| *holds).map(|(_, words)| *words);
         let notes = risks.iter().flat_map(|risk| risk.notes.iter().copied());
         let notes = notes.map(|note| if brief { in_short(note) } else { note });
         // What spoils or ends an answer is said already.
@@ -199,13 +197,12 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         };
         let flags = answer.flags.iter().filter(|flag| !said_already(flag.kind));
         let flags = flags.map(|flag| if brief { flag.kind.words() } else { &flag.message });
-        let counting = counting(model, answer);
-        let wider = wider(model, answer);
         // What still widens the ranges is said before it is cut off.
-        let first = counting.as_deref().into_iter();
+        let first = spoiled.as_deref().into_iter().chain(states).chain(counting.as_deref());
+        let mut said = Vec::new();
         for part in first.chain(notes).chain(flags).chain(wider.as_deref()) {
-            if !said.iter().any(|other| other == part) {
-                said.push(part.to_owned());
+            if !said.contains(&part) {
+                said.push(part);
             }
         }
         said
@@ -215,7 +212,7 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
     let fewer = (1..brief.len()).rev().map(|count| brief[..count].join("; ") + "; F8: more");
     let mut all = whole.chain(fewer).map(|said| wrapped(&said, room));
     let fitting = all.find(|lines| lines.len() <= rows);
-    fitting.unwrap_or_else(|| wrapped(brief.first().map_or("", String::as_str), room))
+    fitting.unwrap_or_else(|| wrapped(brief.first().unwrap_or(&""), room))
 }
 
 /// The range of a risk from 0 to 100 %, and the risk itself.

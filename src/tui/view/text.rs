@@ -26,8 +26,7 @@ pub fn fitted(text: &str, room: usize) -> String {
 
 /// A text in lines of at most so many cells; a word that is longer is cut.
 pub fn wrapped(text: &str, room: usize) -> Vec<String> {
-    let lines = format::wrapped(text, room);
-    lines.iter().map(|line| fitted(line, room)).collect()
+    format::wrapped(text, room).iter().map(|line| fitted(line, room)).collect()
 }
 
 /// The first of some texts that fits, or else the last.
@@ -108,9 +107,7 @@ pub fn to_ascii(buffer: &mut Buffer) {
             text if text.is_ascii() => continue,
             "─" | "━" | "╸" | "╌" | "—" | "▃" | "▄" => "-",
             "│" | "┃" | "▏" | "▎" | "▌" | "▕" => "|",
-            "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" => {
-                "+"
-            }
+            corner if "┌┐└┘├┤┬┴┼╵╷".contains(corner) => "+",
             "█" | "▓" | "▇" => "#",
             "▒" | "▆" | "▅" | "═" => "=",
             "░" | "▂" | "▁" | "·" => ".",
@@ -147,16 +144,9 @@ mod tests {
 
     #[test]
     fn numbers_give_up_digits_for_room() {
-        for (value, text) in [
-            (26.418_437, "26.42"),
-            (-0.0063, "-0.00630"),
-            (1.016e-13, "1.02e-13"),
-            (-1.016e-13, "-1.0e-13"),
-            (123_456.0, "123456"),
-            (0.0, "0"),
-        ] {
-            assert_eq!(numeral(value, 8), text);
-        }
+        let values = [26.418_437, -0.0063, 1.016e-13, -1.016e-13, 123_456.0, 0.0];
+        let texts = ["26.42", "-0.00630", "1.02e-13", "-1.0e-13", "123456", "0"];
+        assert_eq!(values.map(|value| numeral(value, 8)), texts);
         assert_eq!(numeral(0.000_123_4, 5), "1e-4");
     }
 

@@ -24,8 +24,7 @@ const DIM: Style = Style::new().dim();
 impl Theme {
     /// The theme of a look.
     pub fn of(look: Look) -> Self {
-        let colours = look.palette.colours(look.depth);
-        Self { look, colours }
+        Self { look, colours: look.palette.colours(look.depth) }
     }
 
     /// Whether there are no colours.
@@ -77,11 +76,6 @@ impl Theme {
     /// The bar at the top and the bottom.
     pub fn bar(self) -> Style {
         on(self.colours.bar, self.colours.bar_ground).unwrap_or(PLAIN.reversed())
-    }
-
-    /// Something strong in a bar.
-    pub fn bar_strong(self) -> Style {
-        self.bar().bold()
     }
 
     /// What is chosen in a bar.
@@ -268,7 +262,7 @@ mod tests {
             let ground = Color::Indexed(ground);
             let mut roles = vec![theme.text(), theme.quiet(), theme.heading(), theme.strong()];
             roles.extend([theme.warning(), theme.error(), theme.load(), theme.cursor()]);
-            roles.extend([theme.bar(), theme.bar_strong(), theme.bar_chosen()]);
+            roles.extend([theme.bar(), theme.bar().bold(), theme.bar_chosen()]);
             roles.extend((0..6).map(|i| theme.curve(i)));
             roles.extend((0..4).map(|step| theme.grave(step)));
             roles.extend((0..=theme.heat_steps()).map(|step| theme.heat(step)));
@@ -288,14 +282,12 @@ mod tests {
     fn the_even_map_leaves_the_ground_in_even_steps_of_lightness() {
         for light in [false, true] {
             let theme = theme(Depth::TwoFiveSix, HeatMap::Cividis, light);
-            let inks = theme.heats().iter().map(|place| ink(*place));
-            let lightness: Vec<f64> =
-                inks.map(|ink| 116.0 * luminance(ink).cbrt() - 16.0).collect();
+            let lightness = |place: u8| 116.0 * luminance(ink(place)).cbrt() - 16.0;
             let sign = if light { -1.0 } else { 1.0 };
-            let steps: Vec<f64> =
-                lightness.windows(2).map(|two| sign * (two[1] - two[0])).collect();
-            let most = steps.iter().copied().fold(0.0, f64::max);
-            let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
+            let step = |two: &[u8]| sign * (lightness(two[1]) - lightness(two[0]));
+            let mut steps: Vec<f64> = theme.heats().windows(2).map(step).collect();
+            steps.sort_by(f64::total_cmp);
+            let (least, most) = (steps[0], steps[steps.len() - 1]);
             assert!(least > 5.0 && most < 1.5 * least, "{steps:?}");
         }
     }

@@ -1,8 +1,7 @@
 //! The eye in filled anatomy: the layers of [`crate::report::picture`] as cells of two colours.
 //!
-//! Lines over it, the outline at rest and the fat, are dots in cells that have one colour else.
-//! Without colours thin parts are solid and areas are patterns of dots; in ASCII each cell is the
-//! sign of one part.
+//! The outline at rest and the fat are dots in cells that have one colour else. Without colours
+//! thin parts are solid and areas are patterns of dots; in ASCII each cell is the sign of one part.
 
 mod cells;
 mod samples;
@@ -28,7 +27,6 @@ use window::Window;
 const LARGE: u16 = 100;
 /// Columns from which on a moment is said in several words.
 const WORDY: u16 = 44;
-/// The bar, in m.
 const BAR_M: f64 = 10e-3;
 /// The parts that are named, and their names.
 pub const NAMED: [(Part, &str); 8] = [
@@ -72,8 +70,8 @@ impl Anatomical<'_> {
         }
     }
 
-    /// What each point shows, row by row; so many across.
-    fn points(&self, area: Rect, window: &Window) -> (usize, Vec<Tint>) {
+    /// Points across and down a cell, and what each shows, row by row.
+    fn points(&self, area: Rect, window: &Window) -> (usize, usize, Vec<Tint>) {
         let (columns, rows) = (usize::from(area.width), usize::from(area.height));
         // Of a part that fills less than a sign of ASCII, points tell what is lost.
         let (across, down) = match window.points() {
@@ -81,18 +79,18 @@ impl Anatomical<'_> {
             points => points,
         };
         let (wide, high) = (columns * across, rows * down);
-        let detail =
-            DrawnDetail { grain: window.grain(), zoom: f64::from(self.scene.zoom), points: POINTS };
+        let (grain, zoom) = (window.grain(), f64::from(self.scene.zoom));
         let shown = self.scene.shown;
         let layers = if self.scene.front {
             let side = shown.scenario.eye_side();
-            front::layers(&shown.drawing, self.frame, side, window.grain()).unwrap_or_default()
+            front::layers(&shown.drawing, self.frame, side, grain).unwrap_or_default()
         } else {
+            let detail = DrawnDetail { grain, zoom, points: POINTS };
             shown.anatomy.layers(&shown.drawing, self.frame, detail)
         };
-        let samples = Samples::new(&layers, window, (wide, high), (across, down));
-        let parts =
-            if self.scene.lean || self.scene.playing || area.width >= LARGE { 1 } else { 2 };
+        let samples = Samples::new(&layers, window, [(wide, high), (across, down)]);
+        let coarse = self.scene.lean || self.scene.playing || area.width >= LARGE;
+        let parts = if coarse { 1 } else { 2 };
         // From the front nothing shows the inside.
         let steps = (!self.scene.front).then(|| self.steps(area, window, parts));
         let tint = |i: usize| {
@@ -102,7 +100,7 @@ impl Anatomical<'_> {
             let step = steps.map_or(0, |steps| steps[y * parts / down * columns + x / across]);
             Tint { part, step }
         };
-        (wide, (0..wide * high).map(tint).collect())
+        (across, down, (0..wide * high).map(tint).collect())
     }
 
     /// The step of the field in each part of each cell, so many parts a cell from its top down.
@@ -150,9 +148,8 @@ impl Anatomical<'_> {
 
     fn paint(&self, window: &Window, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
-        let (wide, points) = self.points(area, window);
-        let (across, down) =
-            (wide / usize::from(area.width), points.len() / wide / usize::from(area.height));
+        let (across, down, points) = self.points(area, window);
+        let wide = across * usize::from(area.width);
         let dots = self.dots(window, area);
         for row in 0..area.height {
             for column in 0..area.width {
@@ -356,7 +353,6 @@ fn dotted(bits: u8, look: Look) -> char {
     }
 }
 
-/// The sign of a part.
 fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let Tint { part, step } = tint;
     let sign = match part {

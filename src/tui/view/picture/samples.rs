@@ -14,12 +14,7 @@ pub(super) struct Samples {
 
 impl Samples {
     /// The layers as points, so many across and down all and a cell.
-    pub fn new(
-        layers: &[Shape],
-        window: &Window,
-        all: (usize, usize),
-        cell: (usize, usize),
-    ) -> Self {
+    pub fn new(layers: &[Shape], window: &Window, [all, cell]: [(usize, usize); 2]) -> Self {
         // Of a large picture fewer samples tell as much.
         let fine = if all.0 * all.1 > 12_000 { 2 } else { 4 };
         let (width, height) = (all.0 * fine, all.1 * fine);

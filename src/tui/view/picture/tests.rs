@@ -1,5 +1,5 @@
 use super::*;
-use crate::answer::solve::{Answer, solve};
+use crate::answer::solve::solve;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{drawing::Drawing, watch::unwatched};
 use crate::scenario::library::{built_in, find};
@@ -10,7 +10,7 @@ use ratatui::buffer::Buffer;
 
 fn answered(scenario: &Scenario) -> ShownAnswer {
     let keep = Keep { traces: true, frames: Some(Spacing::doubling(80, 2.5e-5)) };
-    let answer: Answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     ShownAnswer::new(scenario.clone(), answer)
 }
 
@@ -57,12 +57,11 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
             let nodes = 0..lines.shell.len();
             nodes.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap()
         };
-        let mut fat = places(&lines.wall);
-        fat.extend(places(&lines.free[1]));
+        let wall = places(&lines.wall);
+        let mut fat = [wall.clone(), places(&lines.free[1])].concat();
         fat.extend(places(&lines.shell[place(first)..=place(last)]).iter().rev());
         fat.extend(places(&lines.free[0]).iter().rev());
         all.push(fat);
-        let wall = places(&lines.wall);
         let (top, bottom) = (wall[0], wall[wall.len() - 1]);
         let out = (top - bottom).normalize();
         let back = nalgebra::Vector2::new(out.y, -out.x);
@@ -75,8 +74,7 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
 
 #[test]
 fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
-    let ink = |role: crate::tui::view::palette::Colour| role.ink().unwrap();
-    let of_object = [ink(DARK.object), ink(DARK.skin)];
+    let of_object = [DARK.object, DARK.skin].map(|role| role.ink().unwrap());
     let from_aside = [(40.0, 6.0, 0.0), (60.0, 3.0, 3.0), (0.0, 12.0, 8.0)];
     let from_aside = from_aside.map(|(angle, clock, offset)| {
         let mut aside = find("squash-ball").unwrap().scenario().unwrap();
@@ -133,9 +131,9 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
 fn the_object_is_round_again_when_it_leaves_and_flat_where_it_presses() {
     let shown = answered(&find("squash-ball").unwrap().scenario().unwrap());
     let width = |frame: &Frame| {
-        let sides = crate::report::picture::object_sides(&shown.drawing, frame);
-        let along = sides.iter().map(|[a, _]| a.x);
-        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+        let mut sides = crate::report::picture::object_sides(&shown.drawing, frame);
+        sides.sort_by(|[a, _], [b, _]| a.x.total_cmp(&b.x));
+        sides[sides.len() - 1][0].x - sides[0][0].x
     };
     let frames = &shown.answer.run.frames;
     let apex = shown.answer.peak(crate::run::quantity::Quantity::Apex).unwrap().time;
