@@ -105,7 +105,7 @@ fn copied(text: &str, env: impl Fn(&str) -> Option<String>) -> Option<String> {
     if env("TMUX").is_some_and(|tmux| !tmux.is_empty()) {
         // Within a passage through tmux every escape is doubled.
         let passed = plain.replace('\x1b', "\x1b\x1b");
-        plain += &format!("\x1bPtmux;{passed}\x1b\\");
+        return Some(format!("{plain}\x1bPtmux;{passed}\x1b\\"));
     }
     Some(plain)
 }

@@ -56,12 +56,11 @@ pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<De
     let is_rich = matches!(env("COLORTERM").unwrap_or_default().as_str(), "truecolor" | "24bit");
     Some(match flag {
         ColorFlag::Never => Depth::Mono,
-        ColorFlag::Sixteen => Depth::Sixteen,
         ColorFlag::TwoFiveSix => Depth::TwoFiveSix,
         ColorFlag::Auto if env("NO_COLOR").is_some_and(|set| !set.is_empty()) => Depth::Mono,
         ColorFlag::Auto if is_rich || is_wide => Depth::TwoFiveSix,
         ColorFlag::Auto if term.starts_with("vt") => Depth::Mono,
-        ColorFlag::Auto => Depth::Sixteen,
+        ColorFlag::Sixteen | ColorFlag::Auto => Depth::Sixteen,
     })
 }
 

@@ -356,7 +356,7 @@ mod tests {
         assert_eq!(parser.feed(b"0\x1b[201~q").len(), 2);
         let inputs = keys(b"\x1b[200~450\x1b[201~");
         assert_eq!(inputs, [TerminalInput::Paste("450".to_owned())]);
-        let inputs = keys(&[PASTE_BEGIN, &[b'x'; 100_000], PASTE_END].concat());
+        let inputs = keys(&[PASTE_BEGIN, &vec![b'x'; 100_000], PASTE_END].concat());
         assert!(matches!(&inputs[..], [TerminalInput::Paste(text)] if text.len() == LONGEST_PASTE));
     }
 

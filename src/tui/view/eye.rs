@@ -336,7 +336,7 @@ impl<'a> Picture<'a> {
         let inside = (0..nodes.len()).filter(|i| nodes[*i].region != Region::Orbit);
         let steps = inside.map(|i| (step_of(self.force(i), &self.thresholds), i));
         let mut hot: Vec<(usize, usize)> = steps.filter(|(step, _)| *step >= least).collect();
-        hot.sort();
+        hot.sort_unstable();
         for (step, i) in hot {
             if let Some(at) = raster.cell(self.place(i)) {
                 buffer[at].set_char(heat_glyph(step)).set_style(self.theme.heat(step));

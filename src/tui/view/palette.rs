@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn a_colour_of_ones_own_counts_where_the_terminal_has_it() {
         let (heading, quiet) = (Colour(Some(200)), Colour(Some(3)));
-        let own = Colours { heading, quiet, ..Colours::default() };
+        let own = Colours { quiet, heading, ..Colours::default() };
         let own = Palette { own, ..Palette::default() };
         let (many, few) = (own.colours(Depth::TwoFiveSix), own.colours(Depth::Sixteen));
         let inks = |of: Colours| [of.heading, of.quiet, of.fat].map(Colour::ink);

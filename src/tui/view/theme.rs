@@ -255,6 +255,7 @@ mod tests {
 
     #[test]
     fn every_role_can_be_read_on_dark_and_on_light_grounds() {
+        use Region::{Fat, Interior, Lens, Orbit, Retina, Shell};
         let grounds = [(false, 16), (true, 231), (true, 255)];
         let maps = [HeatMap::Hot, HeatMap::Cividis];
         for ((light, ground), heat) in grounds.iter().flat_map(|g| maps.map(|map| (*g, map))) {
@@ -266,7 +267,6 @@ mod tests {
             roles.extend((0..6).map(|i| theme.curve(i)));
             roles.extend((0..4).map(|step| theme.grave(step)));
             roles.extend((0..=theme.heat_steps()).map(|step| theme.heat(step)));
-            use Region::{Fat, Interior, Lens, Orbit, Retina, Shell};
             let regions = [Interior, Lens, Shell, Retina, Fat, Orbit];
             roles.extend(regions.map(|region| theme.region(region)));
             for role in roles {
