@@ -139,7 +139,7 @@ fn title(app: &App, sheet: &mut Sheet) {
     let tabs = tabs(app, area.width);
     let mut x = 0;
     if tabs[0].0 > 1 {
-        x = sheet.at(row).put((x, 0), PROGRAM, theme.bar_strong());
+        x = sheet.at(row).put((x, 0), PROGRAM, theme.bar().bold());
     }
     // Where the names of the screens are tight, so is the space round the preset's.
     let margin = u16::from(tabs[0].0 > 0);

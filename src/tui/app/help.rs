@@ -2,7 +2,7 @@
 
 use crate::guide;
 use crate::tui::app::{App, tables};
-use crate::tui::view::popup::{MARGIN, frame};
+use crate::tui::view::overlay::{MARGIN, frame};
 use crate::tui::view::{PURPOSE, SMALLEST};
 use crate::tui::{keys::KeyList, view::sheet::Sheet, view::text::wrapped};
 

@@ -253,7 +253,7 @@ fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
         let style = if own { theme.strong() } else { theme.text() };
         sheet.put((1, row), fitted(of.field.label, usize::from(LABEL)), style);
         sheet.put_right((LABEL + 7, row), hundredths(correlation), theme.text());
-        sheet.put((middle, row), "│", theme.line());
+        sheet.put((middle, row), "│", theme.quiet());
         let length = ((correlation.abs() * f64::from(half)).round() as u16).min(half);
         let right = correlation > 0.0;
         let left = if right { middle + 1 } else { middle - length };

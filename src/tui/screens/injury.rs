@@ -11,8 +11,8 @@ use crate::tui::keys::press::{DOWN, UP, c};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
-use crate::tui::view::{eye::EyePicture, fundus::Fundus, sheet::Sheet};
-use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below};
+use crate::tui::view::{eye::EyePicture, sheet::Sheet};
+use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below, view::fundus};
 
 /// What the screen answers.
 pub(super) const QUESTION: &str = "What is hurt?";
@@ -82,8 +82,7 @@ fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
         sheet.put_wrapped((1, 1), ROUND, sheet.theme.text());
         return;
     };
-    let side = shown.scenario.eye_side();
-    Fundus { sectors, side }.draw(sheet);
+    fundus::draw(sectors, shown.scenario.eye_side(), sheet);
 }
 
 fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
@@ -104,7 +103,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let heading = ("80 % ranges", theme.heading());
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
-    foot.put((0, 0), "─".repeat(area.width.into()), theme.line());
+    foot.put((0, 0), "─".repeat(area.width.into()), theme.quiet());
     let mut sentences = basis(&shown.answer, risk);
     if each > 1 {
         // The rest of it stands in the row.

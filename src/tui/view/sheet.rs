@@ -26,8 +26,7 @@ pub struct Sheet<'a> {
 impl<'a> Sheet<'a> {
     /// A part of a screen with this look.
     pub fn new(buffer: &'a mut Buffer, area: Rect, look: Look) -> Self {
-        let theme = Theme::of(look);
-        Self { buffer, area, theme }
+        Self { buffer, area, theme: Theme::of(look) }
     }
 
     /// Another part of the screen.
@@ -63,9 +62,8 @@ impl<'a> Sheet<'a> {
         if y >= area.height || x >= area.width {
             return x;
         }
-        let (at, room) = ((area.x + x, area.y + y), usize::from(area.width - x));
-        let text = printable(text.as_ref());
-        let (end, _) = self.buffer.set_stringn(at.0, at.1, text, room, style);
+        let (text, room) = (printable(text.as_ref()), usize::from(area.width - x));
+        let (end, _) = self.buffer.set_stringn(area.x + x, area.y + y, text, room, style);
         end - area.x
     }
 
@@ -106,8 +104,7 @@ impl<'a> Sheet<'a> {
         self.put((left, y), text, style);
     }
 
-    /// Writes the first heading that there is room for at the left of the first row, or else the
-    /// last one, and, cut to the room that is left, a text at its right.
+    /// Writes the longest heading that fits into the first row beside the text at its right.
     pub fn put_both(&mut self, left: (&[&str], Style), right: (&str, Style)) {
         let wide = self.area.width;
         let beside = wide.saturating_sub(width(right.0) + 4);
@@ -127,10 +124,9 @@ mod tests {
         let mut buffer = Buffer::empty(Rect::new(0, 0, 10, 2));
         let look = Look::new(Depth::Mono, Symbols::Ascii);
         let mut sheet = Sheet::new(&mut buffer, Rect::new(2, 0, 4, 1), look);
-        let style = Style::new();
-        assert_eq!(sheet.put((0, 0), "abcdefgh", style), 4);
-        sheet.put((0, 1), "below", style);
-        sheet.put((9, 0), "right", style);
+        for (at, text, end) in [((0, 0), "abcdefgh", 4), ((0, 1), "below", 0), ((9, 0), "x", 9)] {
+            assert_eq!(sheet.put(at, text, Style::new()), end);
+        }
         assert_eq!(buffer, Buffer::with_lines(["  abcd    ", "          "]));
     }
 }

@@ -8,7 +8,7 @@ use crate::scenario::doubt::begun;
 use crate::scenario::fields::{Field, Kind};
 use crate::tui::form::{FormRow, Typing, allowed, is_unverified, rows, typed_text, unverified};
 use crate::tui::view::text::{fitted, width, wrapped};
-use crate::tui::view::{popup::input, sheet::Sheet, theme::Theme};
+use crate::tui::view::{overlay::input, sheet::Sheet, theme::Theme};
 use crate::tui::{model::AppModel, overlay::Overlay, screens::main::pulse, view::PURPOSE};
 
 /// The places of the panes.

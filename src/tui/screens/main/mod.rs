@@ -246,7 +246,7 @@ fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
     };
     let detail = model.clock.detail(shown.drawing.object.is_some());
     let drawn = view::drawn_in(picture, detail);
-    let angle = eye::angle_at(drawn, shown, model.look, detail, at).to_degrees();
+    let angle = eye::angle_at(drawn, model, shown, at).to_degrees();
     // Minus zero would be written with its sign.
     let text = (angle.round() + 0.0).to_string();
     model.form.complaint = None;

@@ -88,7 +88,7 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
     form::draw(pane, model, &mut sheet.at(parts.form));
     let line_before = |part: Rect, columns: u16, sheet: &mut Sheet| {
         let lines = std::iter::repeat_n("│", parts.right.height.into());
-        sheet.put_lines((part.x - columns, 0), lines, theme.line());
+        sheet.put_lines((part.x - columns, 0), lines, theme.quiet());
     };
     line_before(parts.right, 1, sheet);
     sheet.at(parts.signs).put_lines((0, 0), signs(area.width), theme.heading());
