@@ -70,7 +70,7 @@ fn main() {
                 run.steps,
                 1e3 * run.simulated,
                 1e3 * time,
-                1e9 * time / run.cell_evaluations as f64,
+                1e9 * time / ((run.steps + 1) * eye.cells.len()) as f64,
             );
         }
     }

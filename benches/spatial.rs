@@ -5,10 +5,11 @@
 //! lens and iris root have peaked, and error against time of a blow straight on.
 
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
-use contrecoup::models::axisymmetric::time::march::CellLoop;
+use contrecoup::models::axisymmetric::time::march::{CellLoop, STEP_SHARE};
 use contrecoup::models::axisymmetric::time::until::Until;
 use contrecoup::models::paper::forces::kernel::vector_sets;
-use contrecoup::models::spatial::{STEP_SHARE, Scene, SpatialCase, run_as};
+use contrecoup::models::spatial::case::{Scene, SpatialCase};
+use contrecoup::models::spatial::time::run::run_as;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::model::{EyeModel, Run};
 use contrecoup::run::quantity::Quantity;

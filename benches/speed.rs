@@ -7,14 +7,10 @@ use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::solve;
 use contrecoup::many::statistics::median;
 use contrecoup::models::paper::case::PaperCase;
-use contrecoup::models::paper::forces::kernel::{
-    Survey, name as kernel_name, vector_sets, vectors_name,
-};
+use contrecoup::models::paper::forces::kernel::{name as kernel_name, vector_sets, vectors_name};
 use contrecoup::models::paper::forces::plain::Plain;
 use contrecoup::models::paper::forces::state::State;
-use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::models::pulse::Piece;
+use contrecoup::models::paper::time::march::march;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::model::EyeModel;
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -24,6 +20,7 @@ use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{CheckedScenario, Impact, Scenario};
 use rayon::prelude::*;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use std::process::Command;
 use std::sync::Arc;
 use std::time::Instant;
@@ -36,13 +33,6 @@ const ROUNDS: (usize, usize, usize, usize) = (200, 15, 30, 7);
 const SHARE: f64 = 0.9;
 /// Shares of the two runs of an answer.
 const SHARES: [f64; 2] = [0.95, 0.8];
-
-struct Nobody;
-
-impl Observer for Nobody {
-    fn begin(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
-    fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
-}
 
 /// What was measured, its ratio, and the least and the most it should be.
 #[derive(Default)]
@@ -102,7 +92,7 @@ fn case(level: u32, whole: bool, portable: bool) -> PaperCase {
 }
 
 fn plain(case: &PaperCase) -> Plain {
-    Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load)
+    Plain::new(&case.eye, case.system.pulse.clone(), &case.load)
 }
 
 fn plan(case: &PaperCase, integrator: Integrator, share: f64) -> Plan {
@@ -126,13 +116,13 @@ fn evaluation_times<const N: usize>(cases: &[&PaperCase], window: f64, rounds: u
             let plan = Plan { window, ..plan(case, Integrator::Srkn6b, SHARE) };
             let mut state = State::at_rest(&case.system);
             times.time(i, || {
-                let cost = march(&case.system, &plan, &mut state, &mut Nobody);
+                let cost = march(&case.system, &plan, &mut state, |_| ControlFlow::Continue(()));
                 counts[i] = cost.map_or(0, |c| c.evaluations);
             });
         }
         times.time(cases.len(), || {
             counts[cases.len()] = edges.run(window, step, |p, _| {
-                black_box(&p.x);
+                black_box(&p.position);
             });
         });
     }
@@ -159,10 +149,10 @@ fn evaluations(targets: &mut Targets) {
         let rounds = if level == 1 { ROUNDS.0 } else { ROUNDS.1 };
         let times = evaluation_times::<4>(&cases, 2e-4 / f64::from(level), rounds);
         each.push(std::array::from_fn::<f64, 3, _>(|i| {
-            let springs = cases[i].system.springs_per_evaluation();
+            let springs = cases[i].system.springs_per_evaluation;
             print(level, forms[i].0, times[i], springs, times[3])
         }));
-        let springs = plain(cases[0]).springs();
+        let springs = cases[0].eye.springs.len();
         print(level, "plain edge list", times[3], springs, times[3]);
     }
     for level in vector_sets() {
@@ -173,7 +163,7 @@ fn evaluations(targets: &mut Targets) {
         let times = evaluation_times::<3>(&[&forms[0], &forms[1]], 2e-4, ROUNDS.0);
         let name = vectors_name(level);
         for (i, form) in ["whole", "whole, portable"].iter().enumerate() {
-            let springs = forms[i].system.springs_per_evaluation();
+            let springs = forms[i].system.springs_per_evaluation;
             print(1, &format!("{name}, {form}"), times[i], springs, times[2]);
         }
         let narrow = matches!(name.as_str(), "sse2" | "neon");
@@ -195,10 +185,10 @@ fn plain_error(case: &PaperCase, step: f64, truth: &[f64; 5]) -> f64 {
     plain(case).run(case.window, step, |p, _| {
         for (i, &n) in marks.monitors.iter().enumerate() {
             let drag = case.eye.nodes[n].drag;
-            let force = (p.fx[n] - drag * p.vx[n]).hypot(p.fy[n] - drag * p.vy[n]);
-            found[i] = found[i].max(force);
+            found[i] = found[i].max((p.force[n] - p.velocity[n] * drag).norm());
         }
-        let apex = marks.apex.iter().zip(&rest).map(|(&n, x)| p.x[n] - x).sum::<f64>() / 2.0;
+        let apex =
+            marks.apex.iter().zip(&rest).map(|(&n, x)| p.position[n].x - x).sum::<f64>() / 2.0;
         found[4] = found[4].max(apex);
     });
     (0..5).map(|i| 100.0 * (found[i] / truth[i] - 1.0).abs()).fold(0.0, f64::max)
@@ -236,7 +226,7 @@ fn standard_case(targets: &mut Targets) {
             fastest_in_c = fastest_in_c.min(seconds);
             let mut edges = plain(&quick);
             edges.run(quick.window, step, |_, _| {});
-            let here: f64 = edges.x.iter().chain(&edges.y).sum();
+            let here: f64 = edges.position.iter().map(|p| p.x + p.y).sum();
             assert!((sum - here).abs() < 1e-9, "C ends elsewhere: {sum} {here}");
         }
         for (i, plan) in plans.iter().enumerate() {
@@ -248,7 +238,7 @@ fn standard_case(targets: &mut Targets) {
             let mut edges = plain(&quick);
             times.time(i, || {
                 edges.run(quick.window, step, |p, _| {
-                    black_box(&p.x);
+                    black_box(&p.position);
                 });
             });
         }

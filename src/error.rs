@@ -1,16 +1,13 @@
 //! One error for whoever goes through several rooms with `?`.
 
-use std::io;
-
 use crate::run::refusal::Refusal;
 use crate::scenario::{CurveError, problem::ScenarioError};
+use std::io;
 
-/// Whatever can go wrong from the text of a scenario to a written file. Each is displayed as it
-/// stands, ready to be shown to a person.
+/// Whatever can go wrong from the text of a scenario to a written file, ready to be shown.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A scenario, or a field of it, makes no sense: each problem with its place, its value and
-    /// what is allowed.
+    /// A scenario, or a field of it, makes no sense.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
     /// A recorded force curve cannot be taken.
@@ -28,8 +25,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// Whether another input would help: else the run failed, was stopped, or a file could not be
-    /// had.
+    /// Whether another input would help.
     pub fn is_of_input(&self) -> bool {
         match self {
             Self::Scenario(_) | Self::Curve(_) => true,

@@ -7,13 +7,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static SHUT: AtomicBool = AtomicBool::new(false);
 
-/// What is said of a file that a guest asks for.
-pub(crate) const REFUSAL: &str = "a guest has no files";
-
 /// From now on no file is read or written, until the program ends.
 #[cfg(feature = "app")]
 pub(crate) fn shut() {
     SHUT.store(true, Ordering::SeqCst);
+}
+
+/// Refuses a file that a guest asks for.
+pub(crate) fn allowed() -> Result<(), &'static str> {
+    if are_shut() { Err("a guest has no files") } else { Ok(()) }
 }
 
 /// Whether files must not be touched.

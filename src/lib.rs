@@ -24,15 +24,13 @@
 //! can be [solved](answer::solve::solve). The [`Answer`](answer::solve::Answer) holds each result
 //! by its [`Quantity`](run::quantity::Quantity), its errors in % of it, and
 //! [flags](run::flags::Flag) for what limits it. Many runs: [`many::sweep`], [`many::ensemble`],
-//! [`many::comparison`]; the folder `examples` has a blow, a parallel sweep and a force curve of
-//! one's own. Without default features the library has none of the command line's and the
-//! terminal's dependencies.
+//! [`many::comparison`]; see the folder `examples`. Without default features the library has none
+//! of the command line's and the terminal's dependencies.
 //!
 //! The rooms, from the lowest; a lower one never imports a higher one:
 //!
 //! - [`scenario`]: what a person asks for, in their units, read, checked and changed;
-//! - [`run`]: the socket. A run's readings, traces, frames, flags and cost, whichever model gave
-//!   them;
+//! - [`run`]: the socket: readings, traces, frames and flags of a run, whichever model gave them;
 //! - [`models`]: one folder a model. A model turns a scenario into a mesh and moves it;
 //! - [`injury`]: the paper's damage index and published injury curves, from readings;
 //! - [`answer`]: one blow with the errors of step and mesh, and the risks that follow;
@@ -40,13 +38,11 @@
 //! - [`verify`]: stated errors against references, and the models against experiments;
 //! - reports, the command line and the terminal app, which are no part of the library.
 //!
-//! A new model fills [`EyeModel`](run::model::EyeModel), states its [`Rules`](run::rules::Rules)
-//! and is named in [`models`]; all above asks these two only. A new result is a row of
+//! A new model fills [`EyeModel`](run::model::EyeModel); a new result is a row of
 //! [`Quantity`](run::quantity::Quantity). [`guide`] is what to read besides.
 //!
-//! Sines, logarithms and the like that lead to a result come from the crate `libm`: the C library
-//! of each system rounds them in its own way, and the contact of an object carries such a last bit
-//! far.
+//! Sines, logarithms and the like that lead to a result come from the crate `libm`: each system's C
+//! library rounds them in its own way, and a contact carries such a last bit far.
 //!
 //! Research and education, not diagnosis.
 

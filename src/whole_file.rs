@@ -3,21 +3,14 @@
 //! What is written goes to a temporary file in the same folder, which takes the place of the old
 //! one by a rename. A full disk, an error or a signal that is heard leaves the old file as it was
 //! and no other. A kill that is not heard leaves the temporary file; its writer's lock is gone
-//! then, and the next file written into the folder takes it away.
-//!
-//! A link stays a link: what it leads to is replaced. What is no plain file, such as
-//! `/dev/stdout`, is written to and stays what it is.
-//!
-//! Left out: unnamed files (`O_TMPFILE`), which leave nothing behind, but which only Linux has and
-//! which cannot take the place of another file.
+//! then, and the next file written into the folder takes it away. A link stays a link: what it
+//! leads to is replaced. What is no plain file, such as `/dev/stdout`, is written to and stays.
 
+use crate::files;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-
 use tempfile::{NamedTempFile, PersistError};
-
-use crate::files;
 
 /// What the names of temporary files begin with.
 const PREFIX: &str = ".contrecoup-";
@@ -26,10 +19,7 @@ const SUFFIX: &str = ".part";
 /// Nobody has so many leftovers; a folder of more is not searched to its end.
 const MAX_LOOKED_AT: usize = 100_000;
 
-/// Fills the file at `path`, in the place of whatever it held.
-///
-/// # Errors
-/// What `fill` or the system says; then it holds what it held before.
+/// Fills the file at `path`; on an error it holds what it held before.
 pub fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let filled = |file: &mut File| {
         let mut buffered = BufWriter::new(file);
@@ -37,9 +27,7 @@ pub fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
         buffered.flush()
     };
     if path.metadata().is_ok_and(|m| !m.is_file()) {
-        if files::are_shut() {
-            return Err(io::Error::other(files::REFUSAL));
-        }
+        files::allowed().map_err(io::Error::other)?;
         return filled(&mut File::create(path)?);
     }
     let target = resolved(path);
@@ -64,23 +52,19 @@ pub fn resolved(path: &Path) -> PathBuf {
 }
 
 fn in_its_folder(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
-    let beside = || Some(folder.ok()?.join(path.file_name()?));
+    let beside = || Some(folder_of(path).canonicalize().ok()?.join(path.file_name()?));
     let there = path.canonicalize().ok().or_else(beside);
     there.unwrap_or_else(|| path.to_owned())
 }
 
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// A temporary file in the folder of `path`, locked while it is written.
-///
-/// # Errors
-/// Where the folder takes no file.
 pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
-    if files::are_shut() {
-        return Err(io::Error::other(files::REFUSAL));
-    }
-    let parent = path.parent().filter(|p| !p.as_os_str().is_empty());
-    let folder = parent.unwrap_or(Path::new("."));
+    files::allowed().map_err(io::Error::other)?;
+    let folder = folder_of(path);
     sweep_up(folder);
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX);
@@ -93,11 +77,8 @@ pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
     Ok(file)
 }
 
-/// Puts the file in the place of whatever is at `path`, or only where nothing is.
-///
-/// # Errors
-/// [`io::ErrorKind::AlreadyExists`] if something is there that may not be replaced; else what the
-/// system says.
+/// Puts the file in the place of whatever is at `path`, or says [`io::ErrorKind::AlreadyExists`] of
+/// what may not be replaced.
 pub fn put(file: NamedTempFile, path: &Path, replace: bool) -> io::Result<()> {
     let put = if replace {
         // What somebody keeps to themselves stays theirs alone.
@@ -114,9 +95,7 @@ pub fn put(file: NamedTempFile, path: &Path, replace: bool) -> io::Result<()> {
 
 /// Takes away temporary files that nobody writes any more.
 fn sweep_up(folder: &Path) {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return;
-    };
+    let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten().take(MAX_LOOKED_AT) {
         let name = entry.file_name();
         let name = name.to_string_lossy();

@@ -58,7 +58,7 @@ fn compiled() -> Option<PathBuf> {
 /// The case in the order in which the program reads it, steps and forces as `Plain::run` takes
 /// them.
 fn problem(case: &PaperCase, step: f64) -> String {
-    let (eye, load, pulse) = (&case.eye, &case.load, &case.system.load().pulse);
+    let (eye, load, pulse) = (&case.eye, &case.load, &case.system.pulse);
     let segments = pulse.segments(case.window);
     let mut text = format!(
         "{} {} {} {}\n",

@@ -1,16 +1,13 @@
-//! One run among many: results and flags without traces, with the step error where it is asked
-//! for.
+//! One run among many: results and flags without traces.
 //!
-//! A [`single`] run makes no second run. A [`checked`] one states its step error as single answers
-//! do and shortens its step until that is within [`promise_percent`]. A [`compared`] one is set
-//! beside a run of twice as many steps, whose error is a sixteenth at fourth order: the difference
-//! is the error itself, without the safety factor of a statement. No step helps once the mesh has
-//! folded.
+//! A [`single`] run makes no second run. A [`checked`] one states its step error as answers do and
+//! shortens its step until that is within [`promise_percent`]. A [`compared`] one is set beside a
+//! run of twice as many steps, whose error is a sixteenth at fourth order: the difference is the
+//! error itself, without a safety factor. No step helps once the mesh has folded.
 //!
-//! The automatic step is a share of the stability limit. Among many runs that is wasteful both
-//! ways: a stiff eye takes steps far shorter than its accuracy needs, a soft one steps too long
-//! for the edges of the pulse. So a run among many may take up to 0.95 of the limit but never more
-//! than a cap, which comes from the comparisons of a few runs.
+//! The automatic step, a share of the stability limit, is too short in a stiff eye and too long for
+//! the edges of a pulse in a soft one. So a run among many may take up to 0.95 of the limit, but no
+//! more than a cap, which comes from the comparisons of a few runs.
 
 use crate::answer::{compiled::Compiled, results::Results, solve::solve_by};
 use crate::injury::PerInjury;
@@ -27,7 +24,7 @@ pub fn promise_percent(scenario: &CheckedScenario) -> f64 {
     Compiled::new(scenario).rules().promise_percent
 }
 
-/// The answer of one run among many: results and flags, without traces, frames or a mesh error.
+/// The answer of one run among many.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BriefAnswer {
     /// Every result.
@@ -36,8 +33,7 @@ pub struct BriefAnswer {
     pub flags: Vec<FlagKind>,
     /// The step error, where it was checked.
     pub check: Option<Check>,
-    /// The 80 % range of each risk, 0 to 1, with the step error alone, where that was checked and
-    /// the scene has risks.
+    /// The 80 % range of each risk, 0 to 1, with the step error alone, where that was checked.
     pub ranges: Option<PerInjury<(f64, f64)>>,
 }
 
@@ -76,9 +72,8 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
     }
 }
 
-/// The automatic step, but as long as stability allows where accuracy does not need it shorter: up
-/// to `cap`, in s. A step of the person's own stays, and so does that of a method that chooses its
-/// own.
+/// The automatic step, but up to `cap`, in s, as far as stability allows. A step of the person's
+/// own stays, and so does that of a method that chooses its own.
 fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
@@ -113,7 +108,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
     let case = Compiled::new(scenario);
     let promise = case.rules().promise_percent;
     let mut plan = case.plan(scenario)?;
-    let mut answer = solve_by(case, plan, Keep::default(), watch)?;
+    let mut answer = solve_by(case, plan, watch)?;
     let first = answer.errors.time_step.headline();
     let tried = plan.step;
     let good_step = plan.step * shortening(&plan, promise, first);
@@ -124,7 +119,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
                 break;
             }
             plan.step *= next_share(promise, error, plan.integrator.method().order);
-            answer = solve_by(answer.case, plan, Keep::default(), watch)?;
+            answer = solve_by(answer.case, plan, watch)?;
         }
     }
     let ranges: Vec<(f64, f64)> = answer.risks().iter().map(|risk| risk.range).collect();
@@ -141,8 +136,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
     })
 }
 
-/// Runs a scenario with steps up to `cap`, in s, and again with twice as many steps until two
-/// runs in a row agree.
+/// Runs a scenario with steps up to `cap`, in s, then with twice as many until two runs agree.
 ///
 /// # Errors
 /// As for any run.
@@ -193,6 +187,14 @@ mod tests {
     use super::*;
     use crate::run::watch::unwatched;
 
+    /// Whether all results are those of steps that are as short as `exact`'s.
+    fn assert_right(answer: &BriefAnswer, exact: &BriefAnswer) {
+        for (quantity, a) in answer.values.present() {
+            let b = exact.values[quantity].unwrap();
+            assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+        }
+    }
+
     #[test]
     fn both_checks_shorten_the_step_until_the_promise_is_kept() {
         let scenario = CheckedScenario::default();
@@ -203,12 +205,8 @@ mod tests {
         let free = compared(&scenario, Some(1.0), &mut unwatched).unwrap();
         let tight = compared(&scenario, Some(1e-6), &mut unwatched).unwrap();
         assert!(tight.check.unwrap().first < free.check.unwrap().first);
-        for answer in [&stated, &free] {
-            for (quantity, a) in answer.values.present() {
-                let b = tight.values[quantity].unwrap();
-                assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
-            }
-        }
+        assert_right(&stated, &tight);
+        assert_right(&free, &tight);
     }
 
     #[test]
@@ -220,10 +218,7 @@ mod tests {
         let check = answer.check.unwrap();
         assert!(check.first > promise && check.last <= promise);
         let exact = compared(&CheckedScenario::default(), Some(1e-6), &mut unwatched).unwrap();
-        for (quantity, a) in answer.values.present() {
-            let b = exact.values[quantity].unwrap();
-            assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
-        }
+        assert_right(&answer, &exact);
     }
 
     #[test]

@@ -1,21 +1,17 @@
 //! The cheapest mesh, integrator and step that give the damage index to a tolerance.
 //!
 //! Levels are tried from the coarsest. A level's mesh error comes from the two levels above it,
-//! which are the next to be tried, so nothing is computed twice. Once the mesh error is below the
-//! tolerance, what is left of it goes to the step: velocity Verlet if its own estimate allows,
-//! because it is the cheapest at low accuracy, else the fourth-order composition, with shorter
-//! steps as needed.
+//! which are tried next, so nothing is computed twice. What a mesh error leaves of the tolerance
+//! goes to the step: velocity Verlet, the cheapest at low accuracy, if its own estimate allows,
+//! else the fourth-order composition, with shorter steps as needed.
 
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::solve::{Answer, solve_by};
 use crate::answer::{compiled::Compiled, results::Results};
-use crate::run::{
-    kept::Keep, quantity::Quantity, refusal::Refusal, rules::next_share, watch::Watch,
-};
+use crate::run::{quantity::Quantity, refusal::Refusal, rules::next_share, watch::Watch};
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 
-/// The finest level that is tried. Its error comes from levels 6 and 7, so that in a section level
-/// 8 can tell whether what is answered is true.
+/// The finest level that is tried, by levels 6 and 7, so that level 8 can tell whether it is true.
 pub const FINEST_TRIED: u32 = 5;
 /// Below this tolerance, in %, Verlet cannot be the cheapest.
 const VERLET_FROM_PERCENT: f64 = 0.2;
@@ -37,11 +33,16 @@ pub struct Chosen {
 
 /// Results of one scenario on the meshes of levels 1, 2, 3, ..., each computed once.
 #[derive(Debug, Default)]
-pub(crate) struct Ladder(Vec<OnMesh>);
+pub struct Ladder(Vec<OnMesh>);
 
 impl Ladder {
     /// The results on the mesh of `level`, computed at the first call.
-    pub fn at(&mut self, scenario: &Scenario, level: u32, watch: Watch) -> Result<OnMesh, Refusal> {
+    pub(crate) fn at(
+        &mut self,
+        scenario: &Scenario,
+        level: u32,
+        watch: Watch,
+    ) -> Result<OnMesh, Refusal> {
         while self.0.len() < level as usize {
             let next = self.0.len() as u32 + 1;
             self.0.push(at_level(scenario, next, watch)?);
@@ -50,7 +51,7 @@ impl Ladder {
     }
 
     /// Springs or cells that levels 1 to `level` took.
-    pub fn elements(&self, level: u32) -> f64 {
+    pub(crate) fn elements(&self, level: u32) -> f64 {
         self.0.iter().take(level as usize).map(|on| on.elements).sum()
     }
 }
@@ -61,25 +62,15 @@ fn of_damage(errors: &Results) -> f64 {
 }
 
 /// Answers `scenario` with the damage index within `percent` of its converged value, by step and
-/// mesh together; `level` and `numerics` of the scenario are chosen anew.
+/// mesh together; `level` and `numerics` of the scenario are chosen anew. `ladder` holds the meshes
+/// of this scenario that were computed before.
 ///
 /// # Errors
 /// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.
 pub fn within(
-    scenario: &CheckedScenario,
-    percent: f64,
-    keep: Keep,
-    watch: Watch,
-) -> Result<Chosen, Refusal> {
-    within_by(&mut Ladder::default(), scenario, percent, keep, watch)
-}
-
-/// As [`within`], with the meshes of this scenario that `ladder` already has.
-pub(crate) fn within_by(
     ladder: &mut Ladder,
     scenario: &CheckedScenario,
     percent: f64,
-    keep: Keep,
     watch: Watch,
 ) -> Result<Chosen, Refusal> {
     let mut reasons = Vec::new();
@@ -87,14 +78,11 @@ pub(crate) fn within_by(
     for level in 1..=FINEST_TRIED {
         let levels = witnesses(scenario, level);
         let own = ladder.at(scenario, level, watch)?;
-        if let Some(time) = own.folded {
-            return Err(Refusal::ToleranceNotMet {
-                percent,
-                reason: format!(
-                    "the mesh of level {level} folds at {:.3} ms, beyond the model's validity",
-                    time * 1e3
-                ),
-            });
+        if let Some(ms) = own.folded.map(|time| time * 1e3) {
+            let reason = format!(
+                "the mesh of level {level} folds at {ms:.3} ms, beyond the model's validity"
+            );
+            return Err(Refusal::ToleranceNotMet { percent, reason });
         }
         let coarser = ladder.at(scenario, levels[0], watch)?;
         let finer = ladder.at(scenario, levels[1], watch)?;
@@ -111,7 +99,7 @@ pub(crate) fn within_by(
             reasons.push(format!(
                 "level {level}: mesh error {mesh_error:.2} %, which leaves {left:.2} % for the step"
             ));
-            let mut answer = meet(&Compiled::new(&at), left, keep, watch, &mut reasons)?;
+            let mut answer = meet(&Compiled::new(&at), left, watch, &mut reasons)?;
             answer.add(mesh);
             return Ok(Chosen {
                 // An answer is two runs of about the same length.
@@ -124,17 +112,14 @@ pub(crate) fn within_by(
         best = best.min(mesh_error);
         reasons.push(format!("level {level}: mesh error {mesh_error:.2} %, too much"));
     }
-    Err(Refusal::ToleranceNotMet {
-        percent,
-        reason: format!("the best of levels 1 to {FINEST_TRIED} has a mesh error of {best:.2} %"),
-    })
+    let reason = format!("the best of levels 1 to {FINEST_TRIED} has a mesh error of {best:.2} %");
+    Err(Refusal::ToleranceNotMet { percent, reason })
 }
 
 /// The cheapest step on `case` whose damage error is at most `percent`.
 fn meet(
     case: &Compiled,
     percent: f64,
-    keep: Keep,
     watch: Watch,
     reasons: &mut Vec<String>,
 ) -> Result<Answer, Refusal> {
@@ -142,7 +127,7 @@ fn meet(
     let plan = |integrator| case.plan_at(integrator, rule.share);
     if percent >= VERLET_FROM_PERCENT {
         let verlet = plan(Integrator::VelocityVerlet);
-        let answer = solve_by(case.clone(), verlet, keep, watch)?;
+        let answer = solve_by(case.clone(), verlet, watch)?;
         let error = of_damage(&answer.errors.time_step);
         if error <= percent {
             reasons.push(format!(
@@ -156,7 +141,7 @@ fn meet(
     let mut plan = plan(rule.integrator);
     let mut error = f64::INFINITY;
     for _ in 0..MAX_ATTEMPTS {
-        let answer = solve_by(case.clone(), plan, keep, watch)?;
+        let answer = solve_by(case.clone(), plan, watch)?;
         error = of_damage(&answer.errors.time_step);
         if error <= percent {
             reasons.push(format!(
@@ -168,10 +153,8 @@ fn meet(
         }
         plan.step *= next_share(percent, error, case.order(plan.integrator));
     }
-    Err(Refusal::ToleranceNotMet {
-        percent,
-        reason: format!("the step error stays at {error:.3} %"),
-    })
+    let reason = format!("the step error stays at {error:.3} %");
+    Err(Refusal::ToleranceNotMet { percent, reason })
 }
 
 #[cfg(test)]
@@ -183,10 +166,7 @@ mod tests {
     fn what_is_answered_is_within_the_tolerance_by_step_and_mesh_and_meshes_are_computed_once() {
         let scenario = CheckedScenario::default();
         let mut ladder = Ladder::default();
-        let mut ask = |percent| {
-            let keep = Keep::default();
-            within_by(&mut ladder, &scenario, percent, keep, &mut unwatched).unwrap()
-        };
+        let mut ask = |percent| within(&mut ladder, &scenario, percent, &mut unwatched).unwrap();
         let rough = ask(50.0);
         let finer = ask(20.0);
         for (chosen, percent) in [(&rough, 50.0), (&finer, 20.0)] {

@@ -1,10 +1,11 @@
 //! A scenario ready to be run: the eye of its model, and what its risks need.
 
-use crate::answer::{derived, results::Results};
-use crate::injury::Blow;
+use crate::answer::results::Results;
+use crate::injury::{Blow, DamageIndex, Injury};
 use crate::models;
 use crate::run::model::{EyeModel, Run};
 use crate::run::plan::{LOCAL_TOLERANCE, Plan};
+use crate::run::quantity::Quantity;
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 use std::ops::Deref;
 use std::sync::Arc;
@@ -48,17 +49,46 @@ impl Compiled {
         }
     }
 
-    /// Every result of a run of this scenario, in the unit of each.
+    /// A result of a run of this scenario in its unit; none where the scene has no such result.
+    /// The paper's index and the risks are made of readings.
+    pub fn result(&self, of: Quantity, run: &Run) -> Option<f64> {
+        let value = match Injury::of(of) {
+            // An eye that was not hit is not hurt.
+            Some(_) if run.missed => 0.0,
+            Some(injury) => injury.risk(&self.blow, run.readings.value(injury.measure())?),
+            None if of == Quantity::Damage => DamageIndex::of(&run.readings).damage(),
+            None => run.readings.value(of)?,
+        };
+        Some(value * of.row().factor)
+    }
+
+    /// Every result of a run of this scenario.
     pub fn results(&self, run: &Run) -> Results {
-        Results::from_fn(|of| derived::result(of, run, &self.blow))
+        Results::from_fn(|of| self.result(of, run))
     }
 }
 
-/// A compiled scenario is asked like its eye: for rules, plans, limits, runs and frames.
+/// It is asked like its eye.
 impl Deref for Compiled {
     type Target = dyn EyeModel;
 
     fn deref(&self) -> &Self::Target {
         &*self.eye
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_risk_is_of_one_injury_and_every_injury_has_a_risk() {
+        for of in Quantity::ALL {
+            assert_eq!(of.is_risk(), Injury::of(*of).is_some());
+        }
+        for injury in Injury::ALL {
+            assert!(injury.result().is_risk() && !injury.measure().is_risk());
+            assert!(injury.result().key().starts_with(injury.key()));
+        }
     }
 }

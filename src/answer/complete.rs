@@ -8,8 +8,8 @@ use std::sync::atomic::AtomicBool;
 /// The share of the progress of [`complete`] that stands for the meshes.
 const MESHES: f64 = 0.6;
 
-/// Adds to an answer what its ranges do not hold yet: the mesh error, if it has none, and what the
-/// inputs are not known to. `progress` is told the share done.
+/// Adds to an answer its mesh error, if it has none, and what its inputs are not known to.
+/// `progress` is told the share done.
 ///
 /// # Errors
 /// As [`solve`](crate::answer::solve::solve).
@@ -25,10 +25,7 @@ pub fn complete(
             until(stop)(share)
         })?;
     }
-    let inputs = InputQuery::of(answer);
-    let inputs = inputs.estimate(scenario, stop, |share| {
-        progress(MESHES + (1.0 - MESHES) * share);
-    });
-    answer.inputs = Some(inputs?);
+    let rest = |share| progress(MESHES + (1.0 - MESHES) * share);
+    answer.inputs = Some(InputQuery::of(answer).estimate(scenario, stop, rest)?);
     Ok(())
 }

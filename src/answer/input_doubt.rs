@@ -1,9 +1,8 @@
 //! What the inputs that are not known do to the risks: one run for each of them.
 //!
 //! Each uncertain input is moved alone by one standard deviation, to the side on which it matters
-//! more, and log10 of each measure by as much as it then moves more than that of the objects that
-//! the curves were matched with; in quadrature these are the standard deviation of log10 of the
-//! measure. An ensemble draws all inputs together and checks it.
+//! more. By how much more log10 of each measure then moves than it does under the objects that the
+//! curves were matched with, in quadrature, is its standard deviation. An ensemble checks it.
 //!
 //! Left out: inputs that hang together, and curvature over more than one standard deviation.
 
@@ -12,17 +11,10 @@ use crate::answer::{brief::single, results::InputDoubt, solve::Answer};
 use crate::injury::{Blow, Injury, PerInjury};
 use crate::run::ordered::{self, until};
 use crate::run::refusal::Refusal;
-use crate::scenario::{CheckedScenario, Geometry, Scenario};
+use crate::scenario::{Geometry, Scenario};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
-
-/// How far one input moves log10 of the measures and of the energy over area.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Moved {
-    measures: PerInjury<f64>,
-    energy: f64,
-}
 
 /// What of an answer its input doubt depends on, so that it can be estimated elsewhere.
 #[derive(Debug, Clone, Copy)]
@@ -63,14 +55,11 @@ fn moved(scenario: &Scenario, input: &UncertainInput) -> Scenario {
 impl InputQuery {
     /// The question for `answer`.
     pub fn of(answer: &Answer) -> Self {
-        let measure = |injury: Injury| answer.result(injury.measure());
-        let known = Injury::ALL.iter().all(|injury| measure(*injury).is_some());
+        let measures = Injury::ALL.iter().map(|injury| answer.result(injury.measure()));
+        let bone = ["peak_rim_force_n", "globe_on_bone_n"];
         Self {
-            measures: known
-                .then(|| std::array::from_fn(|i| measure(Injury::ALL[i]).unwrap_or(0.0))),
-            meets_bone: ["peak_rim_force_n", "globe_on_bone_n"]
-                .iter()
-                .any(|force| answer.run.detail(force) > Some(0.0)),
+            measures: measures.collect::<Option<Vec<f64>>>().and_then(|all| all.try_into().ok()),
+            meets_bone: bone.iter().any(|force| answer.run.detail(force) > Some(0.0)),
         }
     }
 
@@ -85,13 +74,9 @@ impl InputQuery {
         stop: &AtomicBool,
         mut progress: impl FnMut(f64) + Send,
     ) -> Result<InputDoubt, Refusal> {
-        let Some(from) = self.measures else {
-            return Ok(InputDoubt::default());
-        };
-        let inputs: Vec<UncertainInput> = inputs(scenario)
-            .into_iter()
-            .filter(|input| input.is_run() && (self.meets_bone || !input.is_of_bone()))
-            .collect();
+        let Some(from) = self.measures else { return Ok(InputDoubt::default()) };
+        let mut inputs = inputs(scenario);
+        inputs.retain(|input| input.is_run() && (self.meets_bone || !input.is_of_bone()));
         let energy = Blow::of(scenario).energy;
         // What another eye computes is compared with what that eye says of the scene as it is.
         let other = |geometry: &Geometry| {
@@ -103,23 +88,23 @@ impl InputQuery {
             let mut same = scenario.clone();
             same.doubt.clear();
             same.numerics.geometry = geometry;
-            same.check().map_err(Refusal::Scenario)
+            same
         };
-        let measures = |checked: Result<CheckedScenario, Refusal>| {
-            let brief = checked.and_then(|c| single(&c, None, &mut until(stop)))?;
+        let measures = |scenario: &Scenario| -> Result<PerInjury<f64>, Refusal> {
+            let brief = single(&scenario.check()?, None, &mut until(stop))?;
             let value = |injury: &Injury| brief.values[injury.measure()].unwrap_or(0.0);
             Ok(std::array::from_fn(|i| value(&Injury::ALL[i])))
         };
         let bases: Vec<(Geometry, PerInjury<f64>)> =
-            geometries.filter_map(|g| Some((g, measures(as_it_is(g)).ok()?))).collect();
+            geometries.filter_map(|g| Some((g, measures(&as_it_is(g)).ok()?))).collect();
         let run = |index: usize| {
             let input = &inputs[index];
             let there = moved(scenario, input);
             let curves = input.moves_curves(input.one_off());
             let other = bases.iter().find(|(g, _)| Some(*g) == there.geometry());
             let from = other.map_or(from, |(_, base)| *base);
-            match measures(there.check().map_err(Refusal::Scenario)) {
-                Ok(to) => Some(Some(Moved {
+            match measures(&there) {
+                Ok(to) => Some(Some(InputDoubt {
                     measures: std::array::from_fn(|i| way(from[i], to[i]) - curves[i]),
                     energy: energy
                         .map_or(0.0, |energy| way(energy, Blow::of(&there).energy.unwrap_or(0.0))),
@@ -130,7 +115,7 @@ impl InputQuery {
         };
         let mut doubt = InputDoubt::default();
         let mut done = 0;
-        ordered::run((0, inputs.len()), stop, run, |_, moved: Option<Moved>| {
+        ordered::run((0, inputs.len()), stop, run, |_, moved: Option<InputDoubt>| {
             done += 1;
             progress(done as f64 / inputs.len() as f64);
             if let Some(moved) = moved {

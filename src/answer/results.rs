@@ -14,8 +14,7 @@ impl Results {
         self.iter().filter_map(|(quantity, value)| Some((quantity, (*value)?)))
     }
 
-    /// The leading results: those that the one stated error covers in this scene, by the table of
-    /// results. The scene is known by the results that it has.
+    /// The results that the one stated error covers in this scene, which is known by its results.
     pub fn leading(&self) -> impl Iterator<Item = (Quantity, f64)> {
         let projectile = self[Quantity::Contact].is_some();
         self.watched().filter(move |(of, _)| match of.row().leads {
@@ -30,8 +29,7 @@ impl Results {
         self.present().filter(|(quantity, _)| quantity.row().leads != Leads::Never)
     }
 
-    /// The leading result with the largest value, for `self` as errors in %. NaN counts as the
-    /// largest.
+    /// The leading result with the largest error, for `self` as errors; NaN counts as the largest.
     pub fn worst(&self) -> Option<(Quantity, f64)> {
         largest(self.leading())
     }
@@ -41,8 +39,8 @@ impl Results {
         self.worst().map_or(0.0, |(_, error)| error)
     }
 
-    /// |self - b| in % of b for each result that both have; 0 where both are nothing but rounding.
-    /// Risks have none, what they rest on has; nor has what no error is stated of.
+    /// |self - b| in % of b for each result that both have and an error is stated of; 0 where both
+    /// are nothing but rounding.
     #[must_use]
     pub fn difference_percent(&self, b: &Self) -> Self {
         self.apart_percent(b, b)
@@ -84,18 +82,11 @@ impl Results {
 
     /// Raises errors of `family` to `share` of the largest of that family; NaN stays NaN.
     #[must_use]
-    pub(crate) fn raised(mut self, family: Family, share: f64) -> Self {
+    pub(crate) fn raised(self, family: Family, share: f64) -> Self {
         let member = |quantity: Quantity| quantity.row().family == family;
         let members = self.present().filter(|(quantity, _)| member(*quantity));
         let least = share * members.map(|(_, error)| error).fold(0.0, f64::max);
-        for &quantity in Quantity::ALL.iter().filter(|q| member(**q)) {
-            if let Some(error) = &mut self[quantity]
-                && *error < least
-            {
-                *error = least;
-            }
-        }
-        self
+        self.map(|of, error| error.map(|e| if member(of) && e < least { least } else { e }))
     }
 }
 

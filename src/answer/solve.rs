@@ -1,12 +1,11 @@
 //! One scenario answered: results, their errors, and what limits them.
 //!
-//! The step error of each result comes from a second run with another step, see
-//! [`crate::answer::step_error`].
+//! The step error of each result comes from a second run with another step: the idea is in
+//! [`crate::run::rules`], the second run and all numbers with each model.
 
-use crate::answer::derived::{self, rests_on};
+use crate::answer::compiled::Compiled;
 use crate::answer::results::{InputDoubt, Limits, Results};
 use crate::answer::validity::{Spoiled, spoiled};
-use crate::answer::{compiled::Compiled, step_error::stated};
 use crate::injury::{DamageIndex, Injury, Known, Risk};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
@@ -20,8 +19,7 @@ use std::time::{Duration, Instant};
 /// How far each result may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
-    /// By the time step, in % of each result; of an eye that is pressed flat none is stated,
-    /// however well steps agree.
+    /// By the time step, in % of each result; none of an eye that is pressed flat.
     pub time_step: Results,
     /// By the mesh, in % of each result, once it has been estimated.
     pub mesh: Option<Results>,
@@ -48,8 +46,7 @@ impl Errors {
         0.01 * (self.time_step[of].unwrap_or(0.0) + mesh.unwrap_or(0.0))
     }
 
-    /// The results that have no limit as the mesh gets finer, or none that could be seen, once the
-    /// mesh error has been estimated.
+    /// The results that have no limit as the mesh gets finer, or none that could be seen.
     pub fn without_limit(&self) -> impl Iterator<Item = Quantity> {
         let errors = self.mesh.as_ref();
         let unknown =
@@ -58,8 +55,7 @@ impl Errors {
     }
 }
 
-/// Of an eye that is pressed flat a range that leaves no more than this out on either side tells
-/// nothing.
+/// Of an eye that is pressed flat, a range that leaves out no more at each end says nothing.
 const OPEN: f64 = 0.05;
 
 /// Said of an eye that nothing touched.
@@ -77,7 +73,7 @@ pub enum Cut {
 /// A scenario's answer.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// The scenario compiled: its eye, and what hits it.
+    /// The eye, and what hits it.
     pub case: Compiled,
     /// The integrator and the step that were asked of it.
     pub plan: Plan,
@@ -85,7 +81,7 @@ pub struct Answer {
     pub step: f64,
     /// Largest stable step of the integrator, in s, of the eye at rest.
     pub step_limit: f64,
-    /// What the run gave and cost: readings, details, traces, frames, and how it ended.
+    /// What the run gave and cost.
     pub run: Run,
     /// How far the results may be off.
     pub errors: Errors,
@@ -109,7 +105,7 @@ impl Answer {
 
     /// One result in its unit, if the scene has it.
     pub fn result(&self, of: Quantity) -> Option<f64> {
-        derived::result(of, &self.run, &self.case.blow)
+        self.case.result(of, &self.run)
     }
 
     /// The paper's index and its parts.
@@ -127,7 +123,7 @@ impl Answer {
         has(&self.flags, kind)
     }
 
-    /// Whether the eye was pressed flat, which ends a run: no window and no step tells more.
+    /// Whether the eye was pressed flat: no window and no step tells more.
     pub fn pressed_flat(&self) -> bool {
         self.has(FlagKind::EyeFlat)
     }
@@ -142,8 +138,7 @@ impl Answer {
         spoiled(&self.flags, self.case.rules())
     }
 
-    /// The risk of each injury, the gravest first; none where the model tells of no injuries or the
-    /// object never touched the eye, see [`Self::silence`].
+    /// The risk of each injury, the gravest first; none where [`Self::silence`] says why.
     pub fn risks(&self) -> Vec<Risk> {
         Injury::ALL.iter().filter_map(|injury| self.risk(*injury)).collect()
     }
@@ -179,47 +174,38 @@ impl Answer {
     /// Why there are no risks, in one line; none where there are.
     pub fn silence(&self) -> Option<&'static str> {
         if self.run.missed {
-            Some(MISSED)
-        } else {
-            let any = self.run.readings[Injury::GlobeRupture.measure()];
-            any.is_none().then_some(self.case.rules().silence)
+            return Some(MISSED);
         }
+        let any = self.run.readings[Injury::GlobeRupture.measure()];
+        any.is_none().then_some(self.case.rules().silence)
     }
 
     /// What the ranges of the risks do not hold yet; empty where they hold all.
     pub fn uncounted(&self) -> Vec<&'static str> {
-        let mesh = (self.errors.mesh.is_none(), "the mesh");
-        let inputs = (self.inputs.is_none(), "the inputs");
-        let missing = [mesh, inputs].into_iter();
-        missing.filter_map(|(missing, what)| missing.then_some(what)).collect()
+        let mesh = self.errors.mesh.is_none().then_some("the mesh");
+        let inputs = self.inputs.is_none().then_some("the inputs");
+        mesh.into_iter().chain(inputs).collect()
     }
 
-    /// How a result is limited by a run that ended too early; none if it is final.
+    /// How a run that ended too early limits a result; none if it is final.
     pub fn cut(&self, of: Quantity) -> Option<Cut> {
+        use FlagKind::{ContactCut, EyeFlat, PulseCut, WindowCapped, WindowShort};
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
-        let of = rests_on(of);
-        if has(&[
-            FlagKind::PulseCut,
-            FlagKind::ContactCut,
-            FlagKind::WindowCapped,
-            FlagKind::EyeFlat,
-        ]) {
+        // A risk rests on what its tissue felt.
+        let of = Injury::of(of).map_or(of, Injury::measure);
+        if has(&[PulseCut, ContactCut, WindowCapped, EyeFlat]) {
             // What goes back gives energy back, of which the index holds a share.
             let falls = matches!(of, Quantity::Energy | Quantity::Damage);
             return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
         }
-        let late = |of: Quantity| {
-            let peak = self.peak(of);
-            peak.is_some_and(|peak| {
-                peak.value > 0.0 && peak.time > LATE_PEAK_SHARE * self.run.simulated
-            })
-        };
+        let from = LATE_PEAK_SHARE * self.run.simulated;
+        let late = |of| self.peak(of).is_some_and(|peak| peak.value > 0.0 && peak.time > from);
         // The index grows with its parts.
         let grows = match of {
             Quantity::Damage => late(Quantity::ShellGrowth) || late(Quantity::MeridianGrowth),
             of => late(of),
         };
-        (grows && has(&[FlagKind::WindowShort])).then_some(Cut::AtLeast)
+        (grows && has(&[WindowShort])).then_some(Cut::AtLeast)
     }
 
     /// Whether the run ended while a result may still grow, which is then at least so large.
@@ -228,22 +214,16 @@ impl Answer {
     }
 }
 
-/// Answers `scenario`; `watch` is told the share done and may stop it.
-///
-/// An automatic step is shortened until every leading result's step error is below 1 %, unless
-/// that does not help.
+/// Answers `scenario`; `watch` is told the share done and may stop it. An automatic step is
+/// shortened while a leading result's step error is above 1 % and that helps.
 ///
 /// # Errors
-/// Refuses a step above the stability limit, motion that leaves the finite numbers, and what the
-/// watch stops.
+/// Refuses an unstable step, motion that leaves the finite numbers, and what the watch stops.
 pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
     solve_case(Compiled::new(scenario), scenario, keep, watch)
 }
 
 /// Answers `case`, which was compiled from `scenario`.
-///
-/// # Errors
-/// As [`solve`].
 pub(crate) fn solve_case(
     case: Compiled,
     scenario: &Scenario,
@@ -280,9 +260,7 @@ pub(crate) fn solve_case(
         }
         attempts -= 1;
     }
-    let Some((plan, solved)) = best else {
-        return Err(Refusal::Cancelled);
-    };
+    let Some((plan, solved)) = best else { return Err(Refusal::Cancelled) };
     let mut answer = finish(case, plan, solved);
     answer.total_time = begun.elapsed();
     Ok(answer)
@@ -306,16 +284,8 @@ fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
 }
 
 /// Answers `case` by exactly `plan`.
-///
-/// # Errors
-/// As [`solve`].
-pub(crate) fn solve_by(
-    case: Compiled,
-    plan: Plan,
-    keep: Keep,
-    watch: Watch,
-) -> Result<Answer, Refusal> {
-    let solved = measured(&case, &plan, keep, watch)?;
+pub(crate) fn solve_by(case: Compiled, plan: Plan, watch: Watch) -> Result<Answer, Refusal> {
+    let solved = measured(&case, &plan, Keep::default(), watch)?;
     Ok(finish(case, plan, solved))
 }
 
@@ -357,7 +327,12 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
     let results = case.results(&run);
     let difference = case.results(&second?).difference_percent(&results);
     let disagreement = difference.headline();
-    let mut time_step = stated(case, &results, (&difference, factor));
+    let estimate = &case.rules().estimate;
+    let (family, share) = estimate.family;
+    let mut time_step = difference
+        .map(|_, difference| difference.map(|d| factor * d + estimate.floor_percent))
+        .raised(family, share)
+        .no_finer_than_rounding(&results);
     if run.missed {
         // All of an eye that is not hit is exactly 0, but not how the object flies on.
         let exact = |of| results[of] == Some(0.0);
@@ -372,9 +347,9 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let Measured { mut run, mut errors, disagreement, time, total_time } = solved;
     if has(&run.flags, FlagKind::EyeFlat) {
         // Steps and meshes may agree there, but nobody knows whether an eye does.
-        let nothing = Results::from_fn(|_| None);
+        let nothing = Results::default();
         (errors.time_step, errors.mesh) = (nothing, Some(nothing));
-        errors.limits = Some(Limits::from_fn(|_| None));
+        errors.limits = Some(Limits::default());
     }
     let two_runs =
         TwoRuns { worst: errors.time_step.worst_listed(&case.results(&run)), disagreement };

@@ -1,13 +1,11 @@
 //! How far published measurements of the eye differ, and what an ensemble draws from.
 //!
-//! [`SPREADS`] holds one line for each material or measure with a published range, named by the
-//! path of its field. A line counts where the scenario has that field and it holds the nominal
-//! value: a value of one's own is taken at its word, and a doubt (`± 20`, or `± 0` for a known
-//! value) takes the place of the line.
+//! [`SPREADS`] holds one line for each material or measure with a published range. It counts where
+//! the scenario holds the nominal value of that field: a value of one's own is taken at its word,
+//! and a doubt (`± 20`, or `± 0` for a known value) takes the place of the line.
 //!
-//! The published ranges are wide, and the Paper model's values are nominal: its lens (6880 kPa)
-//! and fat (47 kPa) stand at the upper end of what was measured, so the band of an ensemble need
-//! not lie round the single result. That is what the measurements say, not an error of the draw.
+//! The Paper model's lens (6880 kPa) and fat (47 kPa) stand at the upper end of what was measured,
+//! so the band of an ensemble need not lie round the single result.
 //!
 //! Left out: `eye.rest_kpa`. The vitreous is a fluid whose shear modulus was measured three to
 //! four orders below the nominal 42 kPa, which in this model stands for what keeps the globe's
@@ -50,12 +48,12 @@ const DAMPING_SOURCE: &str =
     "damping ratio 0.05 to 0.5 (paper: eye 0.1, fat 0.22); lens tissue overdamped (Schachar)";
 
 /// A drag whose nominal value gives `ratio`, over all damping ratios: the two are in proportion.
-const fn drag(nominal: f64, ratio: f64) -> Shape {
-    Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio)
+const fn drag(path: &'static str, nominal: f64, ratio: f64) -> Spread {
+    let shape = Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio);
+    Spread { path, nominal, shape, source: DAMPING_SOURCE }
 }
 
-/// Where the injury curves lie, which no scenario holds: in standard deviations from where they are
-/// believed to lie. Drawn where there are risks.
+/// Where the injury curves lie, which no scenario holds. Drawn where there are risks.
 pub static CURVES: Field = Field {
     help: "Where the curves of risk lie, in standard deviations from where they are believed to",
     path: "injury.curves",
@@ -93,18 +91,8 @@ pub static SPREADS: &[Spread] = &[
         shape: Shape::Normal(7.5, 7.5 * 1.57 / 24.51),
         source: "in proportion to the axial length of 24.51 ± 1.57 mm (Nagra 2017)",
     },
-    Spread {
-        path: "eye.globe_drag_ns_m",
-        nominal: 0.705,
-        shape: drag(0.705, 0.1),
-        source: DAMPING_SOURCE,
-    },
-    Spread {
-        path: "eye.fat_drag_ns_m",
-        nominal: 1.44,
-        shape: drag(1.44, 0.22),
-        source: DAMPING_SOURCE,
-    },
+    drag("eye.globe_drag_ns_m", 0.705, 0.1),
+    drag("eye.fat_drag_ns_m", 1.44, 0.22),
     Spread {
         path: "model.sclera_mpa",
         nominal: 138.0,
@@ -141,9 +129,8 @@ pub static SPREADS: &[Spread] = &[
 /// over log10 of the input, below what the model takes and above it.
 ///
 /// The curves were matched with the model's own eye (see `crate::verify::tissue_fit`, which finds
-/// these again). Were its wall softer than taken, it would be softer under the tested objects too,
-/// so only what a blow feels more than those did is unknown of its risk. How much eyes differ from
-/// each other is in the curves themselves.
+/// these again): a softer wall would be softer under the tested objects too, so of a risk only what
+/// a blow feels more than those did is unknown. How eyes differ is in the curves themselves.
 pub static WITH_CURVES: [(&str, [PerInjury<f64>; 2]); 3] = [
     (
         "model.sclera_mpa",
@@ -180,7 +167,7 @@ pub struct UncertainInput {
     pub nominal: f64,
     /// The distribution that it is drawn from.
     pub shape: Shape,
-    /// The bounds of the field.
+    /// What it is drawn within.
     bounds: (f64, f64),
     /// The published source; none where the person doubts the value.
     pub source: Option<&'static str>,
@@ -194,8 +181,22 @@ impl UncertainInput {
         shape: Shape,
         source: Option<&'static str>,
     ) -> Option<Self> {
-        let (nominal, bounds) = number(field, scenario)?;
-        Some(Self { field, nominal, shape, bounds: drawn_within(field, nominal, bounds), source })
+        let (nominal, Bounds { min, max, .. }) = number(field, scenario)?;
+        // An hour goes once round.
+        let round = (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS);
+        let bounds = if is_clock(field) { round } else { (min, max) };
+        Some(Self { field, nominal, shape, bounds, source })
+    }
+
+    /// What a source says of a field; none where the person doubts it themselves.
+    fn published(
+        field: &'static Field,
+        scenario: &Scenario,
+        shape: Shape,
+        source: &'static str,
+    ) -> Option<Self> {
+        let own = scenario.doubt.contains_key(field.path);
+        Self::new(field, scenario, shape, Some(source)).filter(|_| !own)
     }
 
     /// The value below which the share `u` of the draws lies.
@@ -222,19 +223,17 @@ impl UncertainInput {
     }
 
     /// By how much log10 of each measure moves at the tested objects where the input has `value`;
-    /// nothing of what a person doubts, which is a difference of this eye from others.
+    /// not of what a person doubts, by which this eye differs from others.
     pub fn moves_curves(&self, value: f64) -> PerInjury<f64> {
-        let own = |(path, _): &&(&str, [PerInjury<f64>; 2])| *path == self.field.path;
-        let found = WITH_CURVES.iter().find(own).filter(|_| self.source.is_some());
-        let Some((_, powers)) = found else {
+        let mut published = WITH_CURVES.iter().filter(|_| self.source.is_some());
+        let Some((_, powers)) = published.find(|(path, _)| *path == self.field.path) else {
             return PerInjury::default();
         };
         let powers = powers[usize::from(value > self.nominal)];
         powers.map(|power| power * libm::log10(value / self.nominal))
     }
 
-    /// Whether one run of an input by itself is worth it: the curves of risk are no input of one,
-    /// and an hour says nothing of a blow that is straight on.
+    /// Whether a run of it alone tells: not of the curves, nor of the hour of a straight blow.
     pub(crate) fn is_run(&self) -> bool {
         let unknown = is_clock(self.field) && matches!(self.shape, Shape::Uniform(..));
         self.field.path != CURVES.path && !unknown
@@ -245,8 +244,7 @@ impl UncertainInput {
         self.field.path.starts_with(RIM)
     }
 
-    /// Whether what the scenario holds lies among the outermost twentieth of the draws to either
-    /// side.
+    /// Whether the scenario's value lies among the outermost twentieth of the draws to either side.
     pub fn stands_at_an_end(&self) -> bool {
         self.nominal < self.value(0.05) || self.nominal > self.value(0.95)
     }
@@ -263,13 +261,11 @@ impl UncertainInput {
 const AIM: (f64, f64) = (10.0, 2.0);
 const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured how eyes are hit";
 
-/// Where an object comes from and what it aims at, as far as a person does not doubt it otherwise.
+/// Where an object comes from and what it aims at.
 fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     // Straight on is what a person means who says nothing else.
     let turns = scenario.geometry().is_some_and(Geometry::is_spatial);
-    let Some(projectile) = scenario.projectile().filter(|_| turns) else {
-        return Vec::new();
-    };
+    let Some(projectile) = scenario.projectile().filter(|_| turns) else { return Vec::new() };
     // Off the axis an hour is known as well as the distance is.
     let hours = |hour: f64, off: f64, sd: f64| {
         let sd = sd / off * 0.5 * HOURS / PI;
@@ -280,20 +276,15 @@ fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
         }
     };
     let (angle, offset) = (projectile.angle_deg, projectile.offset_mm);
-    let (angle_sd, offset_sd) = AIM;
-    let (angle_clock, offset_clock) = (projectile.angle_clock, projectile.offset_clock);
     let all = [
-        ("impact.angle_deg", Shape::Normal(angle, angle_sd)),
-        ("impact.offset_mm", Shape::Normal(offset, offset_sd)),
-        ("impact.angle_clock", hours(angle_clock, angle, angle_sd)),
-        ("impact.offset_clock", hours(offset_clock, offset, offset_sd)),
+        ("impact.angle_deg", Shape::Normal(angle, AIM.0)),
+        ("impact.offset_mm", Shape::Normal(offset, AIM.1)),
+        ("impact.angle_clock", hours(projectile.angle_clock, angle, AIM.0)),
+        ("impact.offset_clock", hours(projectile.offset_clock, offset, AIM.1)),
     ];
-    let own = |(path, _): &(&str, Shape)| !scenario.doubt.contains_key(*path);
-    let own = all.into_iter().filter(own);
-    own.filter_map(|(path, shape)| {
-        UncertainInput::new(fields::find(path)?, scenario, shape, Some(AIM_SOURCE))
-    })
-    .collect()
+    let input =
+        |(path, shape)| UncertainInput::published(fields::find(path)?, scenario, shape, AIM_SOURCE);
+    all.into_iter().filter_map(input).collect()
 }
 
 /// Where the paths of the rim's lengths begin.
@@ -302,37 +293,20 @@ const RIM_SOURCE: &str = "15 orbits by computed tomography (Arch Facial Plast Su
 
 /// The rim of an orbit, where the eye is computed in it and nobody gave it lengths of their own.
 fn rim(scenario: &Scenario) -> Vec<UncertainInput> {
-    let full = scenario.geometry() == Some(Geometry::Full);
-    let orbit = scenario.physiological().filter(|_| full);
-    let orbit = orbit.filter(|model| model.support == Support::Orbit && model.rim.is_measured());
-    let Some(model) = orbit else {
-        return Vec::new();
+    let measured = |model: &&Physiological| {
+        let full = scenario.geometry() == Some(Geometry::Full);
+        full && model.support == Support::Orbit && model.rim.name() != "Own"
     };
-    let own = |field: &&'static Field| {
-        field.path.starts_with(RIM) && !scenario.doubt.contains_key(field.path)
-    };
+    let Some(model) = scenario.physiological().filter(measured) else { return Vec::new() };
     let spread = Scenario {
         model: Model::Physiological(Physiological { rim: Rim::SPREAD, ..*model }),
         ..Scenario::default()
     };
-    let fields = FIELDS.iter().filter(own);
-    fields
-        .filter_map(|field| {
-            let (nominal, _) = number(field, scenario)?;
-            let (sd, _) = number(field, &spread)?;
-            let shape = Shape::Normal(nominal, sd);
-            UncertainInput::new(field, scenario, shape, Some(RIM_SOURCE))
-        })
-        .collect()
-}
-
-/// What an input is drawn within: an hour goes once round.
-fn drawn_within(field: &Field, nominal: f64, bounds: Bounds) -> (f64, f64) {
-    if is_clock(field) {
-        (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS)
-    } else {
-        (bounds.min, bounds.max)
-    }
+    let input = |field: &'static Field| {
+        let shape = Shape::Normal(number(field, scenario)?.0, number(field, &spread)?.0);
+        UncertainInput::published(field, scenario, shape, RIM_SOURCE)
+    };
+    FIELDS.iter().filter(|field| field.path.starts_with(RIM)).filter_map(input).collect()
 }
 
 /// Whether a field holds an hour of the clock.
@@ -340,8 +314,7 @@ fn is_clock(field: &Field) -> bool {
     field.path.ends_with("_clock")
 }
 
-/// Everything that an ensemble of `scenario` draws: first what the person doubts, then what is
-/// published, each in the order of its table.
+/// What an ensemble draws: first what the person doubts, then what is published.
 pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
     let doubted = FIELDS.iter().filter_map(|field| {
         let (value, _) = number(field, scenario)?;
@@ -350,9 +323,8 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
     });
     let published = SPREADS.iter().filter_map(|spread| {
         let field = fields::find(spread.path)?;
-        let input = UncertainInput::new(field, scenario, spread.shape, Some(spread.source))?;
-        let own = input.nominal != spread.nominal || scenario.doubt.contains_key(spread.path);
-        (!own).then_some(input)
+        UncertainInput::published(field, scenario, spread.shape, spread.source)
+            .filter(|input| input.nominal == spread.nominal)
     });
     let aimed = aim(scenario).into_iter().chain(rim(scenario));
     let curves = (scenario.model != Model::Paper).then_some(UncertainInput {

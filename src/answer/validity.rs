@@ -1,5 +1,4 @@
-//! What the flags of a run say of the results that it computed, and what to do where they are not
-//! usable.
+//! Whether the flags of a run leave its results usable, and what to do where they do not.
 
 use crate::run::flags::{Flag, FlagKind, has};
 use crate::run::rules::Rules;
@@ -20,9 +19,9 @@ pub(crate) fn spoiled(flags: &[Flag], rules: &Rules) -> Option<Spoiled> {
         return None;
     }
     flags.iter().find_map(|flag| {
-        let name = flag.kind.name().replace('_', " ");
-        let time = flag.time.map(|time| format!(" at {:.3} ms", time * 1e3));
-        Some(Spoiled { why: name + &time.unwrap_or_default(), next: (rules.advice)(flag.kind)? })
+        let time = flag.time.map(|time| format!(" at {:.3} ms", time * 1e3)).unwrap_or_default();
+        let why = flag.kind.name().replace('_', " ") + &time;
+        Some(Spoiled { why, next: (rules.advice)(flag.kind)? })
     })
 }
 

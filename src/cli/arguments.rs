@@ -6,20 +6,16 @@
 use std::io::{self, Write};
 use std::mem::discriminant;
 use std::path::Path;
-use std::str::FromStr;
 
 use clap::Args;
 use clap::error::{ContextKind, ContextValue};
 
 use crate::cli::CliError;
 use crate::many::threshold::usual;
-use crate::plain_text;
-use crate::plain_text::{printable, quoted};
-use crate::scenario::locate::locate;
-use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::set::{full_path, model_first, set};
-use crate::scenario::{CheckedScenario, Impact, Scenario};
-use crate::scenario::{Integrator, fields::LONGEST_NAME, library::resolve, load::read_text};
+use crate::plain_text::{self, printable, quoted};
+use crate::scenario::{CheckedScenario, Impact, Integrator, Scenario, fields::LONGEST_NAME};
+use crate::scenario::{library::resolve, load::read_text, locate::locate, problem::Problem};
+use crate::scenario::{problem::ScenarioError, set::full_path, set::model_first, set::set};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
@@ -28,7 +24,6 @@ pub struct ScenarioArgs {
     /// bb-62@40 (speed) or bb-62,offset_mm=3
     #[arg(value_name = "PRESET|FILE.ron")]
     pub source: String,
-    /// What is changed in it.
     #[command(flatten)]
     pub changes: Changes,
 }
@@ -40,18 +35,16 @@ pub struct ScenariosArgs {
     /// bb-62@40 (speed) or bb-62,offset_mm=3
     #[arg(value_name = "PRESET|FILE.ron", required = true)]
     pub sources: Vec<String>,
-    /// What is changed in each.
     #[command(flatten)]
     pub changes: Changes,
 }
 
-/// Changes to a scenario.
 #[derive(Debug, Default, Args)]
 pub struct Changes {
     /// Change one field, as in `impact.force_n=450`, or with its doubt, as in
     /// `impact.force_n="450 +- 20"`; may be repeated, the last one wins
-    #[arg(long = "set", value_name = "FIELD=VALUE")]
-    pub assignments: Vec<Assignment>,
+    #[arg(long = "set", value_name = "FIELD=VALUE", value_parser = assignment)]
+    pub assignments: Vec<(String, String)>,
     /// Mesh level, 1 to 8, of the Physiological model 1 to 5; short for `--set eye.level=K`
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub level: Option<String>,
@@ -63,58 +56,46 @@ pub struct Changes {
     pub step_us: Option<String>,
 }
 
-/// One `FIELD=VALUE`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Assignment {
-    /// Dotted path of the field.
-    pub path: String,
-    /// The value, as typed.
-    pub text: String,
-}
-
-/// What `--integrator` may be, a line for each.
 fn integrators() -> String {
-    let rows = Integrator::ALL.iter().map(|integrator| {
-        let method = integrator.method();
-        let (name, order, evaluations) = (method.name, method.order, method.evaluations());
-        format!(
-            "\n- {name}: {} Order {order}; force evaluations a step: {evaluations}.",
-            method.about
-        )
-    });
-    let lines: Vec<String> = rows.collect();
-    format!(
-        "Integrator; short for `--set numerics.integrator=NAME`\n{}\n- auto: the program chooses.",
-        lines.concat()
-    )
+    let mut text = "Integrator; short for `--set numerics.integrator=NAME`\n".to_owned();
+    for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {
+        let (name, about, order) = (method.name, method.about, method.order);
+        let each = method.evaluations();
+        let line = format!("{name}: {about} Order {order}; force evaluations a step: {each}.");
+        text.extend(["\n- ", &line]);
+    }
+    text + "\n- auto: the program chooses."
 }
 
-impl FromStr for Assignment {
-    type Err = &'static str;
-
-    fn from_str(typed: &str) -> Result<Self, Self::Err> {
-        let (path, text) =
-            typed.split_once('=').ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
-        Ok(Self { path: path.trim().to_owned(), text: text.to_owned() })
-    }
+/// Reads `FIELD=VALUE`; the value stays as typed.
+fn assignment(typed: &str) -> Result<(String, String), &'static str> {
+    let (path, text) =
+        typed.split_once('=').ok_or("expected FIELD=VALUE, as in impact.force_n=450")?;
+    Ok((path.trim().to_owned(), text.to_owned()))
 }
 
 impl ScenarioArgs {
-    /// The scenario: loaded, then changed by every `--set` in order, then by the short flags. Its
-    /// name says what was set.
-    ///
-    /// # Errors
-    /// Says which file or argument is wrong, and what would be accepted.
+    /// Loaded, then changed by every `--set` in order, then by the short flags; named for it.
     pub fn scenario(&self) -> Result<CheckedScenario, CliError> {
         self.changes.made_to(&self.source)
+    }
+
+    /// Where the scenario's file gives `field`, as `file:line:column`; nothing if a flag does.
+    pub fn place_of(&self, field: &str) -> Option<String> {
+        let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
+            || self.changes.assignments.iter().any(|(path, _)| field.contains(path));
+        let source = with_own_changes(&self.source).0;
+        let path = Path::new(source);
+        if by_flag || !path.is_file() {
+            return None;
+        }
+        let (line, column) = locate(&read_text(path).ok()?, field);
+        Some(format!("{}:{line}:{column}", printable(source)))
     }
 }
 
 impl ScenariosArgs {
     /// Each scenario with what it was asked for by.
-    ///
-    /// # Errors
-    /// As for one.
     pub fn scenarios(&self) -> Result<Vec<(String, CheckedScenario)>, CliError> {
         let one = |source: &String| Ok((source.clone(), self.changes.made_to(source)?));
         self.sources.iter().map(one).collect()
@@ -122,12 +103,23 @@ impl ScenariosArgs {
 }
 
 impl Changes {
+    /// The short flags that were given, each with the field that it changes and the value.
+    pub fn short(&self) -> impl Iterator<Item = (&'static str, &'static str, &String)> {
+        let all = [
+            ("--level", "eye.level", &self.level),
+            ("--integrator", "numerics.integrator", &self.integrator),
+            ("--step-us", "numerics.step_us", &self.step_us),
+        ];
+        all.into_iter().filter_map(|(flag, path, text)| Some((flag, path, text.as_ref()?)))
+    }
+
     fn made_to(&self, typed: &str) -> Result<CheckedScenario, CliError> {
         let (source, own) = with_own_changes(typed);
         let mut scenario = resolve(source)?;
-        let set = self.assignments.iter().map(|Assignment { path, text }| {
-            (format!("--set {path}={text}"), path.as_str(), text.as_str())
-        });
+        let set = self
+            .assignments
+            .iter()
+            .map(|(path, text)| (format!("--set {path}={text}"), path.as_str(), text.as_str()));
         let own = own.into_iter().map(|(path, text)| {
             let path = if path == AT { usual(&scenario).0 } else { path };
             (typed.to_owned(), path, text)
@@ -144,15 +136,8 @@ impl Changes {
                 changes.push((full, text.trim()));
             }
         }
-        let short = [
-            ("--level", "eye.level", &self.level),
-            ("--integrator", "numerics.integrator", &self.integrator),
-            ("--step-us", "numerics.step_us", &self.step_us),
-        ];
-        for (flag, path, text) in short {
-            if let Some(text) = text {
-                assign(&mut scenario, &format!("{flag} {text}"), path, text)?;
-            }
+        for (flag, path, text) in self.short() {
+            assign(&mut scenario, &format!("{flag} {text}"), path, text)?;
         }
         // The file by itself was sound, so what is wrong now comes from the flags together.
         let changed = format!("{source}, as the flags change it, cannot be computed");
@@ -173,29 +158,10 @@ impl Changes {
     }
 }
 
-impl ScenarioArgs {
-    /// Where the scenario's file gives the value of `field`, as `file:line:column`; nothing if a
-    /// flag gives it, or nobody.
-    pub fn place_of(&self, field: &str) -> Option<String> {
-        let set = |a: &Assignment| field.contains(&a.path);
-        let by_flag = field == "numerics.step_us" && self.changes.step_us.is_some()
-            || self.changes.assignments.iter().any(set);
-        let source = with_own_changes(&self.source).0;
-        let path = Path::new(source);
-        if by_flag || !path.is_file() {
-            return None;
-        }
-        let text = read_text(path).ok()?;
-        let (line, column) = locate(&text, field);
-        Some(format!("{}:{line}:{column}", printable(source)))
-    }
-}
-
 /// Stands for the speed of an object, or the force of a pulse.
 const AT: &str = "@";
 
-/// A source and what it is changed by itself, as in `bb-62@40,offset_mm=3`. What is a file by its
-/// whole name is taken as one.
+/// A source and its own changes, as in `bb-62@40,offset_mm=3`; a file by its whole name has none.
 fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
     if Path::new(typed).is_file() {
         return (typed, Vec::new());
@@ -209,13 +175,10 @@ fn with_own_changes(typed: &str) -> (&str, Vec<(&str, &str)>) {
     ends.push(typed.len());
     let parts = ends.windows(2).filter_map(|at| typed[at[0] + 1..at[1]].split_once('='));
     let head = &typed[..ends[0]];
-    match head.rsplit_once(AT) {
-        Some((name, speed))
-            if !name.is_empty() && speed.starts_with(|c: char| c.is_ascii_digit()) =>
-        {
-            (name, std::iter::once((AT, speed)).chain(parts).collect())
-        }
-        _ => (head, parts.collect()),
+    let begins_speed = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    match head.rsplit_once(AT).filter(|(name, text)| !name.is_empty() && begins_speed(text)) {
+        Some((name, speed)) => (name, std::iter::once((AT, speed)).chain(parts).collect()),
+        None => (head, parts.collect()),
     }
 }
 
@@ -235,17 +198,18 @@ fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result
     set(scenario, path, text).map_err(|error| complaint(flag, path, &error))
 }
 
-/// One line a problem, led by the flag; the flag names its own field already.
+/// Led by the flag; the flag names its own field already.
 fn complaint(flag: &str, path: &str, error: &ScenarioError) -> CliError {
-    let line = |problem: &Problem| {
-        let flag = quoted(flag);
-        let message = plain_text::message(&problem.message);
-        if problem.field == path {
-            format!("{flag}: {message}")
-        } else {
-            format!("{flag}: {}: {message}", quoted(&problem.field))
-        }
-    };
+    let flag = quoted(flag);
+    complaints(error, |problem| match &problem.field {
+        field if field == path => flag.clone(),
+        field => format!("{flag}: {}", quoted(field)),
+    })
+}
+
+/// One line a problem, led by what asked for it.
+pub(super) fn complaints(error: &ScenarioError, lead: impl Fn(&Problem) -> String) -> CliError {
+    let line = |p: &Problem| format!("{}: {}", lead(p), plain_text::message(&p.message));
     CliError::Input(plain_text::lines(error.problems.iter().map(line)))
 }
 
@@ -259,8 +223,7 @@ const RENAMED: [(&str, &str); 6] = [
     ("man", "generate man"),
 ];
 
-/// Prints why the arguments were refused, or the help that was asked for. An argument is repeated
-/// in it, and may hold anything.
+/// Prints why arguments, which may hold anything, were refused, or the help that was asked for.
 pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
     if let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidSubcommand)
         && let Some((_, now)) = RENAMED.iter().find(|(old, _)| old == typed)
@@ -280,19 +243,15 @@ pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
 }
 
 /// Reads a time that must be more than zero.
-pub(super) fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if number.is_normal() && number > 0.0 => Ok(number),
-        _ => Err("expected a number of microseconds above 0".to_owned()),
-    }
+pub(super) fn positive(text: &str) -> Result<f64, &'static str> {
+    let number = text.parse().ok().filter(|number: &f64| number.is_normal() && *number > 0.0);
+    number.ok_or("expected a number of microseconds above 0")
 }
 
 /// Reads a percentage that must be more than zero.
-pub(super) fn percent(text: &str) -> Result<f64, String> {
-    match text.trim_end_matches('%').trim_end().parse::<f64>() {
-        Ok(number) if number.is_normal() && number > 0.0 && number <= 100.0 => Ok(number),
-        _ => Err("expected a percentage above 0, up to 100".to_owned()),
-    }
+pub(super) fn percent(text: &str) -> Result<f64, &'static str> {
+    let number = positive(text.trim_end_matches('%').trim_end()).ok();
+    number.filter(|number| *number <= 100.0).ok_or("expected a percentage above 0, up to 100")
 }
 
 #[cfg(test)]
@@ -335,10 +294,9 @@ mod tests {
 
     #[test]
     fn a_name_says_what_was_set_beside_it_and_stays_a_name() {
-        let changed = scenario(&["--set", "impact.force_n=450"]).unwrap();
-        assert_eq!(changed.name, "450 N for 0.2 ms");
-        let changed = scenario(&["--set", "impact.angle_deg=5"]).unwrap();
-        assert_eq!(changed.name, "300 N for 0.2 ms; impact.angle_deg=5");
+        let name = |set| scenario(&["--set", set]).unwrap().name.clone();
+        assert_eq!(name("impact.force_n=450"), "450 N for 0.2 ms");
+        assert_eq!(name("impact.angle_deg=5"), "300 N for 0.2 ms; impact.angle_deg=5");
         let many: Vec<String> = (0..9).map(|i| format!("--set=eye.lens_kpa={i}1")).collect();
         let many: Vec<&str> = many.iter().map(String::as_str).collect();
         let changed = scenario(&many).unwrap();
@@ -348,20 +306,18 @@ mod tests {
 
     #[test]
     fn a_source_may_carry_its_speed_and_changes_of_its_own() {
-        let split = |typed| with_own_changes(typed);
-        assert_eq!(split("bb-62"), ("bb-62", vec![]));
         let both = ("bb-62", vec![("@", "40"), ("offset_mm", "3")]);
-        assert_eq!(split("bb-62@40,offset_mm=3"), both);
+        assert_eq!(with_own_changes("bb-62@40,offset_mm=3"), both);
         let group = ("a.ron", vec![("impact.surface", "Inflated(kpa:1, modulus_mpa:2)")]);
-        assert_eq!(split("a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)"), group);
-        for whole in ["@3", "me@home", "a,b", "a,b,c@d"] {
-            assert_eq!(split(whole), (whole, vec![]));
+        let typed = "a.ron,impact.surface=Inflated(kpa:1, modulus_mpa:2)";
+        assert_eq!(with_own_changes(typed), group);
+        for whole in ["bb-62", "@3", "me@home", "a,b", "a,b,c@d"] {
+            assert_eq!(with_own_changes(whole), (whole, vec![]));
         }
-        let (ball, pulse) = ("squash-ball@30", "paper-300n@90");
-        let of = |source| Changes::default().made_to(source).unwrap();
-        assert_eq!(of(ball).projectile().unwrap().speed_m_s, 30.0);
-        assert_eq!(of(pulse).pulse().unwrap().force_n, 90.0);
-        let refused = Changes::default().made_to("squash-ball@900").unwrap_err();
+        let of = |source| Changes::default().made_to(source);
+        assert_eq!(of("squash-ball@30").unwrap().projectile().unwrap().speed_m_s, 30.0);
+        assert_eq!(of("paper-300n@90").unwrap().pulse().unwrap().force_n, 90.0);
+        let refused = of("squash-ball@900").unwrap_err();
         assert!(refused.to_string().starts_with("squash-ball@900: "), "{refused}");
     }
 
@@ -377,8 +333,7 @@ mod tests {
 
     #[test]
     fn two_settings_that_need_each_other_may_come_in_any_order() {
-        let angle = "--set=impact.angle_deg=60";
-        let opening = "--set=eye.opening_deg=70";
+        let (angle, opening) = ("--set=impact.angle_deg=60", "--set=eye.opening_deg=70");
         assert!(scenario(&[angle, opening]).is_ok());
         assert!(scenario(&[opening, angle]).is_ok());
         assert!(scenario(&[angle]).is_err());

@@ -2,9 +2,9 @@
 
 use std::io;
 
-use crate::error::Error;
 use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
+use crate::tui::OpenError;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -18,24 +18,16 @@ pub enum CliError {
     /// What was asked for makes no sense.
     #[error("{0}")]
     Input(String),
-    /// The library refused. What speaks of a scenario begins with a place, as editors expect.
+    /// A scenario makes no sense; the text begins with a place, as editors expect.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// A run was refused; what speaks of the scenario begins with a place as well.
     #[error("{lead}{0}", lead = if .0.is_of_input() { "" } else { "error: " })]
-    Library(#[from] Error),
-    /// The answer could not be written to standard output.
+    Refused(#[from] Refusal),
+    #[error(transparent)]
+    App(#[from] OpenError),
     #[error("error: cannot write the output: {0}")]
     Output(#[from] io::Error),
-}
-
-impl From<ScenarioError> for CliError {
-    fn from(error: ScenarioError) -> Self {
-        Self::Library(error.into())
-    }
-}
-
-impl From<Refusal> for CliError {
-    fn from(refusal: Refusal) -> Self {
-        Self::Library(refusal.into())
-    }
 }
 
 impl CliError {
@@ -47,14 +39,14 @@ impl CliError {
         }
     }
 
-    /// 0 where there is nothing to complain about, 1 for failures, 2 for bad input, 130 if it was
-    /// stopped.
+    /// 0 if nothing is to complain about, 1 for failures, 2 for bad input, 130 if it was stopped.
     pub fn exit_code(&self) -> u8 {
         match self {
             _ if self.is_broken_pipe() => 0,
-            Self::Library(error) if error.is_of_input() => 2,
-            Self::Failed(_) | Self::Output(_) | Self::Library(_) => 1,
-            Self::Input(_) => 2,
+            Self::Refused(refusal) if refusal.is_of_input() => 2,
+            Self::Failed(_) | Self::Output(_) | Self::Refused(_) => 1,
+            Self::Input(_) | Self::Scenario(_) => 2,
+            Self::App(error) => error.exit_code(),
             Self::Interrupted(_) => 130,
         }
     }

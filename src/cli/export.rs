@@ -5,22 +5,18 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use crate::answer::compiled::Compiled;
-use crate::answer::solve::{Answer, solve};
-use crate::cli::progress::Progress;
-use crate::cli::{CliError, ExportArgs, interrupt};
+use crate::answer::{compiled::Compiled, solve::Answer, solve::solve};
+use crate::cli::{CliError, ExportArgs, interrupt, progress::Progress};
 use crate::plain_text::printable_path;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{export::FrameWriter, ordered::until, refusal::Refusal, trace::write_traces};
-use crate::scenario::CheckedScenario;
 use crate::whole_file;
 
-/// Time between two frames unless asked otherwise, in us.
 const FRAMES_EVERY_US: f64 = 10.0;
+const UNWRITTEN: &str = "nothing was written";
 /// More node positions than this would be a file of more than 5 GB.
 const MAX_POSITIONS: f64 = 5e7;
 
-/// Simulates the scenario and writes the files that were asked for.
 pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
     if let (Some(frames), Some(traces)) = (&args.frames, &args.traces)
@@ -29,18 +25,22 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
         return Err(CliError::Input("--frames and --traces name the same file".to_owned()));
     }
     let every_us = args.every_us.unwrap_or(FRAMES_EVERY_US);
-    if args.frames.is_some() {
-        check_size(&scenario, every_us)?;
+    let case = Compiled::new(&scenario);
+    let least_us = case.window() * 1e6 * case.eye.regions().len() as f64 / MAX_POSITIONS;
+    if args.frames.is_some() && every_us < least_us {
+        return Err(CliError::Input(format!(
+            "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"
+        )));
     }
     let keep = Keep { traces: args.traces.is_some(), frames: None };
     // Who is told to stop takes the unfinished file away.
     let stop = interrupt::flag()?;
     let progress = Progress::new();
     let answer = solve(&scenario, keep, &mut |share| {
-        let _ = progress.simulated(share);
+        progress.show("simulating", share);
         until(&stop)(share)
     });
-    let answer = answer.map_err(interrupted)?;
+    let answer = answer.map_err(|refusal| CliError::stopped(refusal, UNWRITTEN))?;
     if let Some(path) = &args.frames {
         let mut count = 0;
         save(path, |file| {
@@ -60,10 +60,6 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-fn interrupted(refusal: Refusal) -> CliError {
-    CliError::stopped(refusal, "nothing was written")
-}
-
 /// Writes each frame as it is computed; gives how many there are.
 fn write_frames(
     answer: &Answer,
@@ -81,30 +77,17 @@ fn write_frames(
         progress.show("writing frames", share);
         if written.is_ok() { until(stop)(share) } else { ControlFlow::Break(()) }
     };
-    let spacing = Spacing::even(every);
-    let taken = answer.case.frames(&answer.plan, spacing, &mut take);
+    let taken = answer.case.frames(&answer.plan, Spacing::even(every), &mut take);
     let count = written?;
     taken.map_err(|_| io::Error::from(io::ErrorKind::Interrupted))?;
     writer.finish().map_err(csv_to_io)?;
     Ok(count)
 }
 
-fn check_size(scenario: &CheckedScenario, every_us: f64) -> Result<(), CliError> {
-    let case = Compiled::new(scenario);
-    let nodes = case.eye.regions().len() as f64;
-    let least_us = case.window() * 1e6 * nodes / MAX_POSITIONS;
-    if every_us < least_us {
-        return Err(CliError::Input(format!(
-            "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"
-        )));
-    }
-    Ok(())
-}
-
 /// Writes a file whole or not at all.
 fn save(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
     whole_file::write(path, write).map_err(|error| match error.kind() {
-        io::ErrorKind::Interrupted => interrupted(Refusal::Cancelled),
+        io::ErrorKind::Interrupted => CliError::stopped(Refusal::Cancelled, UNWRITTEN),
         io::ErrorKind::BrokenPipe => CliError::Output(error),
         _ => CliError::Failed(format!("cannot write {}: {error}", printable_path(path))),
     })

@@ -11,10 +11,9 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::cli::{Cli, CliError, example};
-use crate::plain_text::printable_path;
+use crate::plain_text::{printable_path, quoted};
 use crate::whole_file;
 
-/// What is printed.
 #[derive(Debug, Subcommand)]
 pub enum GenerateCommand {
     /// Print a script that completes commands in a shell
@@ -39,10 +38,9 @@ pub enum GenerateCommand {
     },
 }
 
-/// Prints what was asked for.
 pub fn run(what: &GenerateCommand, out: &mut dyn Write) -> Result<(), CliError> {
     match what {
-        GenerateCommand::Completions { shell } => completions(*shell, out),
+        GenerateCommand::Completions { shell } => Ok(out.write_all(&script(*shell))?),
         GenerateCommand::Man { command } => man(command.as_deref(), out),
         GenerateCommand::Into { folder } => into(folder, out),
     }
@@ -56,12 +54,7 @@ const PLACES: [(Shell, &str); 3] = [
 ];
 
 fn into(folder: &Path, out: &mut dyn Write) -> Result<(), CliError> {
-    let mut files = Vec::new();
-    for (shell, place) in PLACES {
-        let mut script = Vec::new();
-        completions(shell, &mut script)?;
-        files.push((place.to_owned(), script));
-    }
+    let mut files = PLACES.map(|(shell, place)| (place.to_owned(), script(shell))).to_vec();
     let commands = Cli::command();
     let names = commands.get_subcommands().map(|command| Some(command.get_name().to_owned()));
     for command in std::iter::once(None).chain(names) {
@@ -81,12 +74,11 @@ fn into(folder: &Path, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-fn completions(shell: Shell, out: &mut dyn Write) -> Result<(), CliError> {
-    // The generator panics if its writer fails, so it writes to memory.
+/// The script that completes; the generator panics if its writer fails, so it writes to memory.
+fn script(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "contrecoup", &mut script);
-    out.write_all(&script)?;
-    Ok(())
+    script
 }
 
 fn man(command: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
@@ -96,10 +88,8 @@ fn man(command: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     let page = match command {
         None => program,
         Some(name) => program.find_subcommand(name).cloned().ok_or_else(|| {
-            let name = crate::plain_text::quoted(name);
-            CliError::Input(format!("man {name}: there is no such command"))
+            CliError::Input(format!("man {}: there is no such command", quoted(name)))
         })?,
     };
-    Man::new(page).render(out)?;
-    Ok(())
+    Ok(Man::new(page).render(out)?)
 }

@@ -25,8 +25,7 @@ pub(super) fn topics() -> Vec<PossibleValue> {
 /// Prints the page of a topic, or the list of topics.
 pub fn run(topic: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     let Some(topic) = TOPICS.iter().find(|known| Some(known.name) == topic) else {
-        write!(out, "{}\n`contrecoup guide TOPIC` prints one.\n", contents())?;
-        return Ok(());
+        return Ok(write!(out, "{}\n`contrecoup guide TOPIC` prints one.\n", contents())?);
     };
     let page = topic.plain();
     match pager() {
@@ -36,13 +35,11 @@ pub fn run(topic: Option<&str>, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The pager and its arguments; nothing where none is wanted or the terminal cannot move its
-/// cursor.
+/// The pager with its arguments, where one is wanted and the terminal can move its cursor.
 fn pager() -> Option<Vec<String>> {
     let dumb = env::var("TERM").map_or(true, |term| term == "dumb");
-    let asked =
-        env::var_os("PAGER").map_or_else(|| Some("less".to_owned()), |p| p.into_string().ok());
-    let words = shell_words::split(&asked?).ok()?;
+    let asked = env::var_os("PAGER").unwrap_or_else(|| "less".into());
+    let words = shell_words::split(asked.to_str()?).ok()?;
     (!dumb && !words.is_empty()).then_some(words)
 }
 

@@ -10,7 +10,10 @@ use signal_hook::flag;
 /// Is set by Ctrl-C, by a polite request to end and, on Unix, by the end of the connection.
 pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup()) {
+    let signals = [SIGINT, SIGTERM].into_iter();
+    #[cfg(unix)]
+    let signals = signals.chain(hangup());
+    for signal in signals {
         // Registered first, so that only a second signal finds the flag set.
         flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop))?;
         flag::register(signal, Arc::clone(&stop))?;
@@ -18,8 +21,7 @@ pub(super) fn flag() -> io::Result<Arc<AtomicBool>> {
     Ok(stop)
 }
 
-/// SIGHUP, unless `nohup` had it ignored: listening would undo that. Only Linux says whether it
-/// did.
+/// SIGHUP, unless `nohup` had it ignored, which listening would undo: only Linux says whether.
 #[cfg(unix)]
 fn hangup() -> Option<i32> {
     let hangup = signal_hook::consts::SIGHUP;
@@ -29,21 +31,11 @@ fn hangup() -> Option<i32> {
     (mask & (1 << (hangup - 1)) == 0).then_some(hangup)
 }
 
-#[cfg(not(unix))]
-fn hangup() -> Option<i32> {
-    None
-}
-
 /// Turns a file that grows beyond the limit of the shell (`ulimit -f`) into an error of the write,
 /// which is reported, where the system would end the program without a word.
-#[cfg(unix)]
 pub(super) fn outlive_file_limit() -> io::Result<()> {
+    // No other system has such a signal.
+    #[cfg(unix)]
     flag::register(signal_hook::consts::signal::SIGXFSZ, Arc::default())?;
-    Ok(())
-}
-
-/// No other system has such a signal.
-#[cfg(not(unix))]
-pub(super) fn outlive_file_limit() -> io::Result<()> {
     Ok(())
 }

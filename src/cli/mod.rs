@@ -3,30 +3,21 @@
 //! Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted. A reader that closes the pipe early
 //! is no failure.
 //!
-//! Left out: the answers themselves, one module each, and the meaning of a field's value, which
-//! the registry of fields decides for files, flags and forms alike.
+//! Left out: the answers themselves, and the meaning of a field's value, which the registry of
+//! fields decides for files, flags and forms alike.
 
-mod accuracy;
 mod arguments;
-mod compare;
-mod config;
-mod ensemble;
 mod error;
 mod export;
 mod generate;
 mod guide;
 mod interrupt;
+mod many;
 mod presets;
 mod progress;
-mod report;
 mod run;
 mod sweep;
-mod threshold;
 mod verify;
-
-pub use crate::cli::arguments::{Assignment, Changes, ScenarioArgs, ScenariosArgs};
-pub use crate::cli::error::CliError;
-pub use crate::cli::sweep::Shard;
 
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
@@ -34,11 +25,15 @@ use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use clap::{Args, Parser, Subcommand};
+use serde::Serialize;
 
-use crate::many::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
-use crate::many::sweep::SweepAxis;
+use crate::cli::{
+    arguments::ScenarioArgs, arguments::ScenariosArgs, error::CliError, sweep::Shard,
+};
+use crate::many::{ensemble::FEWEST_SAMPLES, ensemble::MAX_SAMPLES, sweep::SweepAxis};
 use crate::models::kernel_name;
-use crate::tui;
+use crate::plain_text::{printable_path, write_json};
+use crate::tui::{self, config, config::Config};
 
 /// Simulate a blow to a human eye.
 #[derive(Debug, Parser)]
@@ -49,12 +44,11 @@ use crate::tui;
     args_conflicts_with_subcommands = true
 )]
 pub struct Cli {
-    /// How the app looks and listens, which opens without a command.
+    // The app opens without a command.
     #[command(flatten)]
-    pub flags: tui::AppFlags,
-    /// What to do.
+    flags: tui::AppFlags,
     #[command(subcommand)]
-    pub command: Option<Command>,
+    command: Option<Command>,
 }
 
 /// The end of a command's help: how it may be typed.
@@ -73,9 +67,8 @@ fn long_version() -> &'static str {
     &TEXT
 }
 
-/// What to do.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+enum Command {
     /// Open the terminal app: what no command at all does too
     #[command(after_help = example("tui paper-300n bb-56 --mouse"))]
     Tui(tui::Options),
@@ -122,117 +115,107 @@ pub enum Command {
     /// Print the manual page, or a script that completes commands in a shell
     #[command(after_help = example("generate completions bash"))]
     Generate {
-        /// What is printed.
         #[command(subcommand)]
         what: generate::GenerateCommand,
     },
 }
 
-/// Arguments of `run`.
 #[derive(Debug, Args)]
-pub struct RunArgs {
-    /// What to simulate.
+struct RunArgs {
     #[command(flatten)]
-    pub scenario: ScenarioArgs,
+    scenario: ScenarioArgs,
     /// Choose the cheapest mesh, integrator and step that give the damage index within P percent,
     /// step and mesh together
     #[arg(long, value_name = "P", value_parser = arguments::percent, allow_negative_numbers = true,
           conflicts_with_all = ["level", "integrator", "step_us"])]
-    pub tolerance: Option<f64>,
+    tolerance: Option<f64>,
     /// Leave out the mesh error, from the two next finer meshes, and what the inputs are not known
     /// to, from a run for each; the answer says so
     #[arg(long)]
-    pub quick: bool,
+    quick: bool,
     /// Print every result with its errors, what it rests on and how it was computed
     #[arg(long, conflicts_with = "json")]
-    pub all: bool,
+    all: bool,
     /// Print JSON instead of text
     #[arg(long)]
-    pub json: bool,
+    json: bool,
 }
 
-/// Arguments of `accuracy`.
 #[derive(Debug, Args)]
-pub struct AccuracyArgs {
-    /// What to simulate.
+struct AccuracyArgs {
     #[command(flatten)]
-    pub scenario: ScenarioArgs,
+    scenario: ScenarioArgs,
     /// Finest mesh level that is tried, whose error needs two more [default: 4, or 3 of the model
     /// Physiological]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=8))]
-    pub finest_level: Option<u32>,
+    finest_level: Option<u32>,
     /// The result whose error is told [default: the peak pressure where there is one, else the
     /// damage index]
     #[arg(long, value_name = "RESULT")]
-    pub result: Option<String>,
+    result: Option<String>,
     /// Print JSON instead of text
     #[arg(long)]
-    pub json: bool,
+    json: bool,
 }
 
-/// Arguments of `export`.
 #[derive(Debug, Args)]
 #[command(group = clap::ArgGroup::new("files").required(true).multiple(true))]
-pub struct ExportArgs {
-    /// What to simulate.
+struct ExportArgs {
     #[command(flatten)]
-    pub scenario: ScenarioArgs,
+    scenario: ScenarioArgs,
     /// Write position and force of every node in every frame to this CSV file, replacing it
     #[arg(long, value_name = "FILE", group = "files")]
-    pub frames: Option<PathBuf>,
+    frames: Option<PathBuf>,
     /// Write node forces, displacement, growth and energies at every step to this CSV file,
     /// replacing it
     #[arg(long, value_name = "FILE", group = "files")]
-    pub traces: Option<PathBuf>,
+    traces: Option<PathBuf>,
     /// Time between two frames, in microseconds [default: 10]
     #[arg(long, value_name = "X", value_parser = arguments::positive, allow_negative_numbers = true)]
-    pub every_us: Option<f64>,
+    every_us: Option<f64>,
 }
 
-/// Arguments of `ensemble`.
 #[derive(Debug, Args)]
-pub struct EnsembleArgs {
+struct EnsembleArgs {
     /// What to simulate. Doubt in an input is written `--set impact.force_n="300 +- 20"`.
     #[command(flatten)]
-    pub scenario: ScenarioArgs,
+    scenario: ScenarioArgs,
     /// How many samples: more of them make steadier bands
     #[arg(long, value_name = "N", default_value_t = 64,
           value_parser = clap::value_parser!(u32).range(i64::from(FEWEST_SAMPLES)..=i64::from(MAX_SAMPLES)))]
-    pub samples: u32,
+    samples: u32,
     /// Which samples: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u32,
+    seed: u32,
     /// The result of which to print what drives it; JSON has all
     #[arg(long, value_name = "RESULT", default_value = "damage_percent")]
-    pub drives: String,
+    drives: String,
     /// Print JSON instead of text
     #[arg(long)]
-    pub json: bool,
+    json: bool,
 }
 
-/// Arguments of `sweep`.
 #[derive(Debug, Args)]
 #[command(after_help = SWEEP_HELP)]
-pub struct SweepArgs {
-    /// What to simulate.
+struct SweepArgs {
     #[command(flatten)]
-    pub scenario: ScenarioArgs,
+    scenario: ScenarioArgs,
     /// Vary a field: from, to and how many values, or a list; may be repeated for a grid, of which
     /// the last one runs fastest
     #[arg(long, value_name = "FIELD=FROM:TO:N|FIELD=A,B,C", required = true, value_parser = SweepAxis::read)]
-    pub vary: Vec<SweepAxis>,
+    vary: Vec<SweepAxis>,
     /// Only the rows r with r mod N = I - 1; all N shards together are the whole
-    #[arg(long, value_name = "I/N", default_value = "1/1")]
-    pub shard: Shard,
+    #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = Shard::read)]
+    shard: Shard,
     /// Append to this file, and go on where an earlier run of the same command ended
     #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
+    out: Option<PathBuf>,
     /// Print CSV: the default
     #[arg(long, conflicts_with = "json")]
-    pub csv: bool,
+    csv: bool,
     /// Print one JSON object a line instead of CSV
     #[arg(long)]
-    pub json: bool,
+    json: bool,
 }
 
 const SWEEP_HELP: &str = "\
@@ -247,72 +230,63 @@ Job arrays: each task takes its own shard and file; the shell fills in the numbe
                    --shard {}/8 --out part-{}.csv ::: $(seq 8)
 Together:        grep -hv '^[#r]' part-*.csv | sort -t, -k1,1n";
 
-/// Arguments of `compare`.
 #[derive(Debug, Args)]
-pub struct CompareArgs {
-    /// What to simulate.
+struct CompareArgs {
     #[command(flatten)]
-    pub scenarios: ScenariosArgs,
+    scenarios: ScenariosArgs,
     /// Sort by this result, the largest first
     #[arg(long, value_name = "RESULT")]
-    pub sort: Option<String>,
+    sort: Option<String>,
     /// Print Markdown
     #[arg(long, conflicts_with_all = ["csv", "json"])]
-    pub md: bool,
+    md: bool,
     /// Print CSV: every result with its errors
     #[arg(long, conflicts_with = "json")]
-    pub csv: bool,
+    csv: bool,
     /// Print JSON
     #[arg(long)]
-    pub json: bool,
+    json: bool,
 }
 
-/// Arguments of `report`.
 #[derive(Debug, Args)]
-pub struct ReportArgs {
-    /// What to simulate.
+struct ReportArgs {
     #[command(flatten)]
-    pub scenarios: ScenariosArgs,
+    scenarios: ScenariosArgs,
     /// The file to write or replace: a page if it ends in .html, words and tables in .md, a
     /// picture in .svg
     #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    output: PathBuf,
 }
 
-/// Arguments of `threshold`.
 #[derive(Debug, Args)]
-pub struct ThresholdArgs {
-    /// What to simulate.
+struct ThresholdArgs {
     #[command(flatten)]
-    pub scenario: ScenarioArgs,
+    scenario: ScenarioArgs,
     /// The field to vary, over all that it may be or from one value to another [default: the speed
     /// of an object, the force of a pulse]
     #[arg(long, value_name = "FIELD|FIELD=FROM:TO")]
-    pub vary: Option<String>,
+    vary: Option<String>,
     /// The result and the value that it is to reach, as in `hyphema_percent = 50` [default:
     /// `globe_rupture_percent = 50`, or `damage_percent = 50` of the Paper model]
     #[arg(long, value_name = "RESULT = VALUE")]
-    pub until: Option<String>,
+    until: Option<String>,
     /// Print JSON instead of text
     #[arg(long)]
-    pub json: bool,
+    json: bool,
 }
 
-/// Arguments of `presets`.
 #[derive(Debug, Args)]
 #[command(args_conflicts_with_subcommands = true)]
-pub struct PresetsArgs {
+struct PresetsArgs {
     /// Print JSON instead of text
     #[arg(long)]
-    pub json: bool,
-    /// What to do instead of listing.
+    json: bool,
     #[command(subcommand)]
-    pub command: Option<PresetsCommand>,
+    command: Option<PresetsCommand>,
 }
 
-/// What to do with presets.
 #[derive(Debug, Subcommand)]
-pub enum PresetsCommand {
+enum PresetsCommand {
     /// Print the file of one preset as it stands
     #[command(after_help = example("presets show bb-56"))]
     Show {
@@ -334,53 +308,65 @@ pub fn main() -> ExitCode {
             };
         }
     };
-    let app = match &cli.command {
-        None => Some(tui::run(&[], &cli.flags, None)),
+    let outcome = match &cli.command {
+        None => tui::run(&[], &cli.flags, None).map_err(CliError::from),
         Some(Command::Tui(options)) => {
             let guest = options.guest.then_some(options.idle_minutes);
-            Some(tui::run(&options.sources, &options.flags, guest))
+            tui::run(&options.sources, &options.flags, guest).map_err(CliError::from)
         }
-        Some(_) => None,
+        Some(command) => answer(command).map(|()| ExitCode::SUCCESS),
     };
-    if let Some(outcome) = app {
-        return outcome.unwrap_or_else(|error| {
+    outcome.unwrap_or_else(|error| {
+        if !error.is_broken_pipe() {
             let _ = writeln!(io::stderr(), "{error}");
-            ExitCode::from(error.exit_code())
-        });
-    }
-    let mut out = BufWriter::new(io::stdout().lock());
-    let done = interrupt::outlive_file_limit()
-        .map_err(CliError::from)
-        .and_then(|()| dispatch(&cli, &mut out))
-        .and_then(|()| Ok(out.flush()?));
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            if !error.is_broken_pipe() {
-                let _ = writeln!(io::stderr(), "{error}");
-            }
-            ExitCode::from(error.exit_code())
         }
-    }
+        ExitCode::from(error.exit_code())
+    })
 }
 
-fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<(), CliError> {
-    match &cli.command {
-        Some(Command::Run(args)) => run::run(args, out),
-        Some(Command::Export(args)) => export::run(args, out),
-        Some(Command::Verify(args)) => verify::run(args, out),
-        Some(Command::Config) => config::run(out),
-        Some(Command::Presets(args)) => presets::run(args, out),
-        Some(Command::Accuracy(args)) => accuracy::run(args, out),
-        Some(Command::Ensemble(args)) => ensemble::run(args, out),
-        Some(Command::Compare(args)) => compare::run(args, out),
-        Some(Command::Report(args)) => report::run(args, out),
-        Some(Command::Sweep(args)) => sweep::run(args, out),
-        Some(Command::Threshold(args)) => threshold::run(args, out),
-        Some(Command::Guide { topic }) => guide::run(topic.as_deref(), out),
-        Some(Command::Generate { what }) => generate::run(what, out),
+fn answer(command: &Command) -> Result<(), CliError> {
+    interrupt::outlive_file_limit()?;
+    let out = &mut BufWriter::new(io::stdout());
+    match command {
         // The app has been run already.
-        None | Some(Command::Tui(_)) => Ok(()),
+        Command::Tui(_) => Ok(()),
+        Command::Run(args) => run::run(args, out),
+        Command::Export(args) => export::run(args, out),
+        Command::Verify(args) => verify::run(args, out),
+        Command::Config => print_config(out),
+        Command::Presets(args) => presets::run(args, out),
+        Command::Accuracy(args) => many::measure(args, out),
+        Command::Ensemble(args) => many::draw(args, out),
+        Command::Compare(args) => many::compare(args, out),
+        Command::Report(args) => many::write_page(args, out),
+        Command::Sweep(args) => sweep::run(args, out),
+        Command::Threshold(args) => many::search(args, out),
+        Command::Guide { topic } => guide::run(topic.as_deref(), out),
+        Command::Generate { what } => generate::run(what, out),
+    }?;
+    Ok(out.flush()?)
+}
+
+/// Prints the settings of the app as a file that may be changed and kept.
+fn print_config(out: &mut dyn Write) -> Result<(), CliError> {
+    let config = Config::load()?;
+    // Kept in a file, this line must stay true: it says where the file belongs, not whether it is.
+    let place = config::path().map(|path| {
+        let path = printable_path(&path);
+        format!("// Read at every start, where it is there, from {path}.\n")
+    });
+    Ok(write!(out, "{}{}", place.unwrap_or_default(), config.to_ron())?)
+}
+
+/// Prints an answer as JSON where that is given, else as text.
+fn print(
+    out: &mut dyn Write,
+    json: Option<impl Serialize>,
+    text: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    match json {
+        Some(json) => write_json(out, &json),
+        None => text(out),
     }
 }
 
@@ -390,23 +376,17 @@ mod tests {
     use clap::CommandFactory;
 
     #[test]
-    fn the_arguments_are_consistent() {
-        Cli::command().debug_assert();
-    }
-
-    #[test]
     fn there_are_few_commands_and_the_help_of_each_ends_with_one_that_can_be_typed() {
         let mut program = Cli::command();
+        program.clone().debug_assert();
         program.build();
         assert!(program.get_subcommands().count() <= 15);
         let of = |command: &clap::Command| {
-            let all = command.get_subcommands();
-            let own = all.filter(|command| command.get_name() != "help");
-            own.cloned().collect::<Vec<_>>()
+            let all = command.get_subcommands().cloned();
+            all.filter(|command| command.get_name() != "help").collect::<Vec<_>>()
         };
         let commands = of(&program);
-        let below = commands.iter().flat_map(of);
-        for command in commands.iter().cloned().chain(below) {
+        for command in commands.iter().cloned().chain(commands.iter().flat_map(of)) {
             let name = command.get_display_name().unwrap().replace('-', " ");
             let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
             let example = help.lines().find_map(|line| line.trim().strip_prefix("contrecoup "));
@@ -414,9 +394,7 @@ mod tests {
             let typed = example.split(" > ").next().unwrap();
             let words = shell_words::split(&format!("contrecoup {typed}")).unwrap();
             assert!(words.join(" ").replace('-', " ").starts_with(&name), "{name}: {example}");
-            if let Err(error) = Cli::try_parse_from(&words) {
-                panic!("{example}: {error}");
-            }
+            Cli::try_parse_from(&words).unwrap_or_else(|error| panic!("{example}: {error}"));
         }
     }
 }

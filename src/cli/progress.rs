@@ -9,15 +9,13 @@ use crate::report::pace::Pace;
 
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// In a log or a pipe, where no line is written anew, it is said once what goes on for this many
-/// seconds, after this many.
+/// In a log or a pipe it is said once what goes on for this many seconds, after this many.
 const LONG: f64 = 60.0;
 const KNOWN: Duration = Duration::from_secs(5);
 /// The line is written anew this often at most.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// A line on standard error, if that is a terminal, once the work takes long. Any thread may write
-/// it.
+/// A line on standard error, if that is a terminal, for work that takes long; any thread writes it.
 pub(super) struct Progress {
     began: Instant,
     visible: bool,
@@ -29,6 +27,14 @@ struct Line {
     pace: Pace,
     shown: Option<(String, Instant)>,
     said: bool,
+}
+
+/// What `work` gives, which tells on a line how far it is.
+pub(super) fn shown<T>(work: impl FnOnce(&Progress) -> T) -> T {
+    let progress = Progress::new();
+    let found = work(&progress);
+    progress.clear();
+    found
 }
 
 impl Progress {
@@ -48,29 +54,22 @@ impl Progress {
         }
     }
 
-    /// Shows what share of the work is done.
     pub fn show(&self, what: &str, share: f64) {
-        self.put(what, share, None);
+        self.show_of(what, share, None);
     }
 
-    /// Shows how many are done of how many.
     pub fn count(&self, what: &str, done: usize, of: usize) {
-        self.show_of(what, done as f64 / of.max(1) as f64, of);
+        self.show_of(what, done as f64 / of.max(1) as f64, Some(of));
     }
 
-    /// Shows what share of so many is done.
-    pub fn show_of(&self, what: &str, share: f64, of: usize) {
-        self.put(what, share, Some(of));
-    }
-
-    fn put(&self, what: &str, share: f64, of: Option<usize>) {
+    /// Shows what share is done, of so many where that is known.
+    pub fn show_of(&self, what: &str, share: f64, of: Option<usize>) {
         let elapsed = self.began.elapsed();
         let mut line = self.line();
         line.pace.advance(share, elapsed);
-        let is_long = line.pace.left().is_some_and(|left| left >= LONG);
+        let is_long = line.pace.left.is_some_and(|left| left >= LONG);
         if !self.visible && !line.said && elapsed > KNOWN && is_long {
             line.said = true;
-            // Nobody is hurt if it is lost.
             let _ = writeln!(io::stderr(), "{what}: {}", line.pace.words(of));
         }
         let recent = |(_, at): &(String, Instant)| at.elapsed() < EVERY;
@@ -79,22 +78,17 @@ impl Progress {
         }
         let text = format!("{what}: {}", line.pace.words(of));
         if line.shown.as_ref().is_none_or(|(shown, _)| *shown != text) {
-            // Nobody is hurt if a line of progress is lost.
             let _ = write!(io::stderr(), "\r{text}\x1b[K");
             line.shown = Some((text, Instant::now()));
         }
     }
 
-    /// Shows how much has been simulated; never stops the run.
-    pub fn simulated(&self, share: f64) -> ControlFlow<()> {
-        self.show("simulating", share);
-        ControlFlow::Continue(())
-    }
-
-    /// Shows how much has been measured; never stops it.
-    pub fn measured(&self, share: f64) -> ControlFlow<()> {
-        self.show("measuring", share);
-        ControlFlow::Continue(())
+    /// A watch that shows what share is done and never stops the work.
+    pub fn watch(&self, what: &str) -> impl FnMut(f64) -> ControlFlow<()> {
+        move |share| {
+            self.show(what, share);
+            ControlFlow::Continue(())
+        }
     }
 
     pub fn clear(&self) {

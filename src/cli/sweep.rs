@@ -5,154 +5,93 @@
 //! are there and does the rest. The heading holds a fingerprint of scenario, grid and version, by
 //! which a file of another sweep is known and left alone.
 
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
-use std::ops::ControlFlow;
+use std::fs::{File, TryLockError};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
-use std::str::FromStr;
-use std::sync::atomic::Ordering;
 
-use crate::cli::{CliError, SweepArgs};
-use crate::cli::{interrupt, progress::Progress};
-use crate::many::sweep::{Sweep, SweepAxis, SweepRow};
-use crate::plain_text;
+use crate::cli::{CliError, SweepArgs, arguments::complaints, interrupt, progress::shown};
+use crate::many::sweep::Sweep;
 use crate::plain_text::{printable_path, quoted};
 use crate::report::sweep::SweepFormat;
-use crate::run::ordered;
-use crate::scenario::problem::Problem;
+use crate::run::{ordered, watch::stop_if};
 
 /// No row is longer, in bytes.
 const LONGEST_LINE: u64 = 64 * 1024;
-/// Rows that wait for a reader who does not read; then the work waits too.
-const MAX_UNREAD: usize = 1000;
 
-/// Which rows: number i of n, from 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Shard {
-    /// Which of the shards, from 1.
-    pub index: usize,
-    /// Of how many.
-    pub of: usize,
-}
+/// Which rows: those of a shard, counted from 1, of so many.
+#[derive(Debug, Clone, Copy)]
+pub struct Shard(usize, usize);
 
-impl FromStr for Shard {
-    type Err = &'static str;
-
-    fn from_str(typed: &str) -> Result<Self, Self::Err> {
+impl Shard {
+    /// Reads `I/N`.
+    pub fn read(typed: &str) -> Result<Self, &'static str> {
         let wanted = "expected I/N with I from 1 to N and N up to 1000000, as in 3/8";
         let (index, of) = typed.split_once('/').ok_or(wanted)?;
         match (index.trim().parse(), of.trim().parse()) {
-            (Ok(index), Ok(of)) if 1 <= index && index <= of && of <= 1_000_000 => {
-                Ok(Self { index, of })
+            (Ok(index), Ok(of)) if (1..=of).contains(&index) && of <= 1_000_000 => {
+                Ok(Self(index, of))
             }
             _ => Err(wanted),
         }
     }
-}
 
-impl Shard {
-    /// Its rows of a grid of so many.
     fn rows(self, all: usize) -> Vec<usize> {
-        (self.index - 1..all).step_by(self.of).collect()
+        let Self(index, of) = self;
+        (index - 1..all).step_by(of).collect()
     }
 }
 
 /// Runs the rows of a shard that are not there yet.
-pub fn run(args: &SweepArgs, out: &mut dyn Write) -> Result<(), CliError> {
+pub fn run(args: &SweepArgs, out: &mut (dyn Write + Send)) -> Result<(), CliError> {
     let scenario = args.scenario.scenario()?;
-    let axes: Vec<SweepAxis> = args.vary.clone();
-    let sweep = Sweep::new(scenario.into(), axes).map_err(|error| {
-        let line = |p: &Problem| {
-            let message = plain_text::message(&p.message);
-            format!("--vary {}: {message}", quoted(&p.field))
-        };
-        CliError::Input(plain_text::lines(error.problems.iter().map(line)))
-    })?;
+    let sweep = Sweep::new(scenario.into(), args.vary.clone())
+        .map_err(|error| complaints(&error, |p| format!("--vary {}", quoted(&p.field))))?;
     let form = if args.json { SweepFormat::Json } else { SweepFormat::Csv };
     let rows = args.shard.rows(sweep.rows());
     let Some(path) = &args.out else {
         out.write_all(form.heading(&sweep).as_bytes())?;
-        return work(&sweep, form, &rows, 0, &mut Unflushed(out));
+        return work(&sweep, form, &rows, 0, |line| {
+            out.write_all(line.as_bytes())?;
+            out.flush()
+        });
     };
     let (mut file, done) = open(path, &sweep, form, &rows)?;
     let left = rows.len() - done;
     let said = |what: &str| format!("{}: {what}", printable_path(path));
     if left == 0 {
         let text = format!("all {} rows are there: nothing to do", rows.len());
-        writeln!(out, "{}", said(&text))?;
-        return Ok(());
+        return Ok(writeln!(out, "{}", said(&text))?);
     }
-    work(&sweep, form, &rows, done, &mut file).map_err(|error| match error {
+    // One call, so that a kill tears at most this line.
+    let put = |line: &str| file.write_all(line.as_bytes());
+    work(&sweep, form, &rows, done, put).map_err(|error| match error {
         CliError::Output(error) => CliError::Failed(said(&format!("cannot be written: {error}"))),
         other => other,
     })?;
     let before = if done > 0 { format!(" to the {done} that were there") } else { String::new() };
-    writeln!(out, "{}", said(&format!("{left} rows added{before}")))?;
-    Ok(())
+    Ok(writeln!(out, "{}", said(&format!("{left} rows added{before}")))?)
 }
 
-/// Standard output, whose lock stays on one thread: lines are handed over and written at the end
-/// of each call.
-struct Unflushed<'a>(&'a mut dyn Write);
-
-/// Where rows go, one whole line at a time.
-trait Sink {
-    fn line(&mut self, line: &str) -> io::Result<()>;
-}
-
-impl Sink for Unflushed<'_> {
-    fn line(&mut self, line: &str) -> io::Result<()> {
-        self.0.write_all(line.as_bytes())?;
-        self.0.flush()
-    }
-}
-
-impl Sink for File {
-    fn line(&mut self, line: &str) -> io::Result<()> {
-        // One call, so that a kill tears at most this line.
-        self.write_all(line.as_bytes())
-    }
-}
-
+/// Does rows from the `done`th on and writes each as one line, in their order.
 fn work(
     sweep: &Sweep,
     form: SweepFormat,
     rows: &[usize],
     done: usize,
-    sink: &mut dyn Sink,
+    mut write: impl FnMut(&str) -> io::Result<()> + Send,
 ) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
-    let progress = Progress::new();
-    let (send, receive) = std::sync::mpsc::sync_channel(MAX_UNREAD);
-    let mut written = done;
-    let mut failed = None;
-    let stopped = &*stop;
-    let job = |at: usize| sweep.run(rows[at], &mut ordered::until(stopped));
-    let mut put = |row: &SweepRow| {
-        if let Err(error) = sink.line(&form.row(sweep, row)) {
-            failed = Some(error);
-            stopped.store(true, Ordering::Relaxed);
-            return ControlFlow::Break(());
-        }
-        written += 1;
-        progress.count("rows", written, rows.len());
-        ControlFlow::Continue(())
-    };
-    // The sink stays on this thread; rows come to it by channel, in their order.
-    std::thread::scope(|scope| {
-        let helper = std::thread::Builder::new().spawn_scoped(scope, move || {
-            ordered::run((done, rows.len()), stopped, job, |_, row| match send.send(row) {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            });
+    let (mut written, mut outcome) = (done, Ok(()));
+    shown(|progress| {
+        let job = |at: usize| sweep.run(rows[at], &mut ordered::until(&stop));
+        ordered::run((done, rows.len()), &stop, job, |_, row| {
+            outcome = write(&form.row(sweep, &row));
+            written += usize::from(outcome.is_ok());
+            progress.count("rows", written, rows.len());
+            stop_if(outcome.is_err())
         });
-        let alone = (done..rows.len()).map_while(|at| helper.is_err().then(|| job(at)).flatten());
-        let _ = receive.into_iter().chain(alone).try_for_each(|row| put(&row));
     });
-    progress.clear();
-    if let Some(error) = failed {
-        return Err(error.into());
-    }
+    outcome?;
     if written < rows.len() {
         return Err(CliError::Interrupted(format!(
             "interrupted: {written} of {} rows done; the same command with --out goes on from there",
@@ -162,8 +101,7 @@ fn work(
     Ok(())
 }
 
-/// Opens a file to append to, and how many of `rows` it holds already. From a damaged line on it is
-/// cut off, which is said.
+/// Opens a file to append to, cut off at a damaged line; gives how many of `rows` it holds.
 fn open(
     path: &Path,
     sweep: &Sweep,
@@ -175,25 +113,19 @@ fn open(
     let failed = |error: io::Error| CliError::Failed(format!("cannot write {name}: {error}"));
     let refused = |why: String| CliError::Input(format!("--out {name}: {why}"));
     if path.metadata().is_ok_and(|m| !m.is_file()) {
-        return Err(refused(
-            "is not a regular file; without --out rows go to standard output".to_owned(),
-        ));
+        let why = "is not a regular file; without --out rows go to standard output";
+        return Err(refused(why.to_owned()));
     }
-    let mut options = OpenOptions::new();
-    let mut file =
-        options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) => {
-            return Err(CliError::Failed(format!("{name} is being written by another run")));
-        }
-        // Some network file systems have no locks; then nobody is told of a second writer.
-        Ok(()) | Err(TryLockError::Error(_)) => {}
+    let file = File::options().read(true).write(true).create(true).truncate(false).open(path);
+    let mut file = file.map_err(failed)?;
+    // Some network file systems have no locks; then nobody is told of a second writer.
+    if let Err(TryLockError::WouldBlock) = file.try_lock() {
+        return Err(CliError::Failed(format!("{name} is being written by another run")));
     }
     let mut reader = BufReader::new(&file);
     let mut head = Vec::new();
     let length = heading.len() as u64;
-    let read = reader.by_ref().take(length).read_to_end(&mut head);
-    read.map_err(failed)?;
+    reader.by_ref().take(length).read_to_end(&mut head).map_err(failed)?;
     let first_line = |text: &str| quoted(text.lines().next().unwrap_or_default());
     if !heading.as_bytes().starts_with(&head) {
         return Err(refused(format!(
@@ -205,9 +137,8 @@ fn open(
     // A heading that is torn holds no rows.
     let fresh = head.len() < heading.len();
     let (mut done, mut whole) = (0, length);
-    let mut line = Vec::new();
     loop {
-        line.clear();
+        let mut line = Vec::new();
         let read = reader.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut line);
         let read = read.map_err(failed)? as u64;
         if read < LONGEST_LINE && line.last() != Some(&b'\n') {
@@ -235,13 +166,10 @@ fn open(
         done += 1;
         whole += read;
     }
-    let keep = if fresh { 0 } else { whole };
-    file.set_len(keep).map_err(failed)?;
+    file.set_len(if fresh { 0 } else { whole }).map_err(failed)?;
     file.seek(SeekFrom::End(0)).map_err(failed)?;
     if fresh {
-        let mut writer = BufWriter::new(&file);
-        writer.write_all(heading.as_bytes()).map_err(failed)?;
-        writer.flush().map_err(failed)?;
+        file.write_all(heading.as_bytes()).map_err(failed)?;
     }
     Ok((file, done))
 }
@@ -251,16 +179,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shards_are_read_and_hold_every_row_once() {
-        let shard = |text: &str| text.parse::<Shard>();
+    fn shards_are_read_and_may_be_empty() {
         for bad in ["", "1", "0/2", "3/2", "a/b", "-1/2", "1/0"] {
-            assert!(shard(bad).is_err(), "{bad}");
+            assert!(Shard::read(bad).is_err(), "{bad}");
         }
-        let mut all: Vec<usize> =
-            (1..=3).flat_map(|i| shard(&format!("{i}/3")).unwrap().rows(10)).collect();
-        all.sort_unstable();
-        assert_eq!(all, (0..10).collect::<Vec<_>>());
-        assert_eq!(shard("2/3").unwrap().rows(10), [1, 4, 7]);
-        assert!(shard("5/5").unwrap().rows(3).is_empty());
+        assert_eq!(Shard::read("2/3").unwrap().rows(10), [1, 4, 7]);
+        assert!(Shard::read("5/5").unwrap().rows(3).is_empty());
     }
 }

@@ -2,42 +2,34 @@
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
-use std::sync::atomic::AtomicBool;
 
 use clap::{Args, Subcommand, ValueEnum};
 use serde_json::Value;
 
-use crate::cli::progress::Progress;
-use crate::cli::{CliError, example};
-use crate::plain_text::write_json;
+use crate::cli::{CliError, example, progress::shown};
 use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
 use crate::run::threads;
-use crate::verify::claims::{FINEST_CHECKED, Study, check};
-use crate::verify::hard_cases::{self, CaseVerdict};
-use crate::verify::scenes::{MAX_SCENES, Scenes};
-use crate::verify::{fit::fit, measured_orbit::InOrbit, rerun::rerun_all, tissue_fit::fit_tissues};
+use crate::verify::{claims::FINEST_CHECKED, claims::Study, claims::check, fit::fit, hard_cases};
+use crate::verify::{hard_cases::CaseVerdict, measured_orbit::InOrbit, rerun::rerun_all};
+use crate::verify::{scenes::MAX_SCENES, scenes::Scenes, tissue_fit::fit_tissues};
 
-/// Arguments of `verify`.
 #[derive(Debug, Args)]
 pub struct VerifyArgs {
-    /// What is checked.
     #[command(subcommand)]
-    pub what: VerifyCommand,
+    what: VerifyCommand,
     /// Print JSON instead of text
     #[arg(long, global = true)]
-    pub json: bool,
+    json: bool,
 }
 
-/// What is checked.
 #[derive(Debug, Subcommand)]
-pub enum VerifyCommand {
+enum VerifyCommand {
     /// Stated step errors, in random pulses, against a hundred times as many steps
     #[command(after_help = example("verify steps --scenes 20"))]
     Steps(SceneArgs),
     /// Stated mesh errors, in random pulses that fold on no mesh, against the finest mesh
     #[command(after_help = example("verify meshes --level 2 --scenes 20"))]
     Meshes {
-        /// Which scenes.
         #[command(flatten)]
         scenes: SceneArgs,
         /// Level of the answers
@@ -50,7 +42,6 @@ pub enum VerifyCommand {
     /// Stated step errors, or mesh errors, of random objects at the Physiological model
     #[command(after_help = example("verify objects --scenes 5"))]
     Objects {
-        /// Which scenes.
         #[command(flatten)]
         scenes: SceneArgs,
         /// Check mesh errors of answers at this level, in place of step errors
@@ -61,7 +52,6 @@ pub enum VerifyCommand {
     /// says of each mesh that folds that it does: ten seconds of one core a scene
     #[command(after_help = example("verify sides --scenes 5"))]
     Sides {
-        /// Which scenes.
         #[command(flatten)]
         scenes: SceneArgs,
         /// Check mesh errors of level 1 against level 3, in place of step errors: half a minute a
@@ -85,32 +75,29 @@ pub enum VerifyCommand {
     },
 }
 
-/// Which fit is repeated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum WhichFit {
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum WhichFit {
     /// The curves of injury against what tissues felt
     Injuries,
     /// The bulk modulus of orbital fat
     Fat,
 }
 
-/// Which random scenes.
 #[derive(Debug, Args)]
-pub struct SceneArgs {
+struct SceneArgs {
     /// How many scenes
     #[arg(long, value_name = "N", default_value_t = 200,
           value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SCENES)))]
-    pub scenes: u32,
+    scenes: u32,
     /// Which scenes: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u32,
+    seed: u32,
 }
 
 fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED))
 }
 
-/// Checks what was asked for and prints what was found.
 pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
     if !threads::pool_is_there() {
         let why = "no thread can start here, and this check takes many";
@@ -120,83 +107,55 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         VerifyCommand::Steps(scenes) => (Study::Steps(Scenes::Pulses), scenes),
         VerifyCommand::Meshes { scenes, level } => (Study::Meshes(Scenes::Pulses, *level), scenes),
         VerifyCommand::Tolerance(scenes) => (Study::Tolerances, scenes),
-        VerifyCommand::Objects { scenes, level } => match level {
-            None => (Study::Steps(Scenes::Objects), scenes),
-            Some(level) => (Study::Meshes(Scenes::Objects, *level), scenes),
-        },
-        VerifyCommand::Sides { scenes, meshes } => match meshes {
-            false => (Study::Steps(Scenes::Sides), scenes),
-            true => (Study::Meshes(Scenes::Sides, 1), scenes),
-        },
-        VerifyCommand::HardCases => return run_hard_cases(args, out),
+        VerifyCommand::Objects { scenes, level: None } => (Study::Steps(Scenes::Objects), scenes),
+        VerifyCommand::Objects { scenes, level: Some(level) } => {
+            (Study::Meshes(Scenes::Objects, *level), scenes)
+        }
+        VerifyCommand::Sides { scenes, meshes: false } => (Study::Steps(Scenes::Sides), scenes),
+        VerifyCommand::Sides { scenes, meshes: true } => (Study::Meshes(Scenes::Sides, 1), scenes),
+        VerifyCommand::HardCases => {
+            let outcomes =
+                shown(|progress| hard_cases::run(&|share| progress.show("hard cases", share)));
+            print(args, &outcomes[..], cases::json, cases::text, out)?;
+            out.flush()?;
+            let wrong = outcomes.iter().filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
+            let names: Vec<&str> = wrong.map(|outcome| outcome.name).collect();
+            if names.is_empty() {
+                return Ok(());
+            }
+            return Err(CliError::Failed(format!("silently wrong: {}", names.join(", "))));
+        }
         VerifyCommand::Experiments => {
             let rerun = rayon::join(rerun_all, InOrbit::run);
             return print(args, &rerun, experiments::json, experiments::text, out);
         }
-        VerifyCommand::Fit { what } => match what {
-            WhichFit::Injuries => {
-                let stop = AtomicBool::new(false);
-                let tell = |watch: Watch| {
-                    fit_tissues(&stop, |share| {
-                        let _ = watch(share);
-                    })
-                };
-                let fits = shown("fitting", tell)?;
-                return print(args, &fits, tissue_fit::json, tissue_fit::text, out);
-            }
-            WhichFit::Fat => {
-                let fit = shown("fitting", |watch| fit(&mut |share| watch(share)))?;
-                let (json, text) = (experiments::fit_json, experiments::fit_text);
-                return print(args, &fit, json, text, out);
-            }
-        },
+        VerifyCommand::Fit { what: WhichFit::Injuries } => {
+            let fits = shown(|progress| fit_tissues(|share| progress.show("fitting", share)));
+            return print(args, &fits, tissue_fit::json, tissue_fit::text, out);
+        }
+        VerifyCommand::Fit { what: WhichFit::Fat } => {
+            let fit = shown(|progress| fit(|share| progress.show("fitting", share)));
+            return print(args, &fit, experiments::fit_json, experiments::fit_text, out);
+        }
     };
     let (count, seed) = (scenes.scenes, scenes.seed);
-    if study.scenes() == Scenes::Sides {
-        let minutes = f64::from(count) * side_minutes(study);
-        let what = format!("checking {count} scenes, some {minutes:.0} minutes of one core ...");
-        Progress::new().announce(&what);
-    }
-    let found = shown("checking scenes", |watch| check(study, count, seed, watch))?;
+    let found = shown(|progress| {
+        if study.scenes() == Scenes::Sides {
+            // Of one core, for each scene.
+            let each = if matches!(study, Study::Meshes(..)) { 0.5 } else { 0.15 };
+            let minutes = f64::from(count) * each;
+            progress.announce(&format!(
+                "checking {count} scenes, some {minutes:.0} minutes of one core ..."
+            ));
+        }
+        check(study, count, seed, &|share| {
+            progress.show("checking scenes", share);
+            ControlFlow::Continue(())
+        })
+    })?;
     print(args, &found, claims::json, claims::text, out)
 }
 
-/// Minutes of one core that a scene from the side takes.
-fn side_minutes(study: Study) -> f64 {
-    match study {
-        Study::Meshes(..) => 0.5,
-        _ => 0.15,
-    }
-}
-
-fn run_hard_cases(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
-    let outcomes = shown("hard cases", |watch| hard_cases::run(watch));
-    print(args, &outcomes[..], cases::json, cases::text, out)?;
-    out.flush()?;
-    let wrong = outcomes.iter().filter(|outcome| outcome.verdict == CaseVerdict::Wrong);
-    let names: Vec<&str> = wrong.map(|outcome| outcome.name).collect();
-    if names.is_empty() {
-        return Ok(());
-    }
-    let names = names.join(", ");
-    Err(CliError::Failed(format!("silently wrong: {names}")))
-}
-
-/// Hears which share is done.
-type Watch<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
-
-/// What `work` finds, which tells the share that is done.
-fn shown<T>(what: &str, work: impl FnOnce(Watch) -> T) -> T {
-    let progress = Progress::new();
-    let found = work(&|share| {
-        progress.show(what, share);
-        ControlFlow::Continue(())
-    });
-    progress.clear();
-    found
-}
-
-/// Prints what was found in the form that was asked for.
 fn print<T: ?Sized>(
     args: &VerifyArgs,
     found: &T,
@@ -204,10 +163,5 @@ fn print<T: ?Sized>(
     text: fn(&T, &mut dyn Write) -> io::Result<()>,
     out: &mut dyn Write,
 ) -> Result<(), CliError> {
-    if args.json {
-        write_json(out, &json(found))?;
-    } else {
-        text(found, out)?;
-    }
-    Ok(())
+    Ok(super::print(out, args.json.then(|| json(found)), |out| text(found, out))?)
 }

@@ -7,8 +7,6 @@
 
 #![allow(clippy::doc_markdown, reason = "pages are prose, in which methods and units are words")]
 
-use std::fmt::Write;
-
 /// A page of the guide.
 #[derive(Debug, Clone, Copy)]
 pub struct Topic {
@@ -30,24 +28,11 @@ macro_rules! topics {
 }
 
 topics! {
-    install = "install",
-    app = "app",
-    keys = "keys",
-    config = "config",
-    ssh = "ssh",
-    scenarios = "scenarios",
-    objects = "objects",
-    model = "model",
-    sides = "sides",
-    glossary = "glossary",
-    accuracy = "accuracy",
-    hard_cases = "hard-cases",
-    evidence = "evidence",
-    injury = "injury",
-    doubt = "doubt",
-    sweeps = "sweeps",
-    report = "report",
-    speed = "speed",
+    install = "install", app = "app", keys = "keys", config = "config", ssh = "ssh",
+    scenarios = "scenarios", objects = "objects", model = "model", sides = "sides",
+    glossary = "glossary", accuracy = "accuracy", hard_cases = "hard-cases",
+    evidence = "evidence", injury = "injury", doubt = "doubt", sweeps = "sweeps",
+    report = "report", speed = "speed",
 }
 
 /// Whether a line of a page is of use on this system: only a shell of Unix can stop the app and go
@@ -59,8 +44,7 @@ pub fn holds_here(line: &str) -> bool {
 impl Topic {
     /// The first line of the page.
     pub fn title(&self) -> &'static str {
-        let first = self.page.lines().next().unwrap_or_default();
-        first.trim_start_matches("# ")
+        self.page.lines().next().unwrap_or_default().trim_start_matches("# ")
     }
 
     /// The page without what only a renderer of Markdown needs, comments and fences, and without
@@ -68,14 +52,11 @@ impl Topic {
     pub fn plain(&self) -> String {
         let mut text = String::new();
         let mut blank = true;
-        for line in self.page.lines() {
-            if line.starts_with("<!--") || line.starts_with("```") || !holds_here(line) {
-                continue;
-            }
+        let read = |line: &&str| !["<!--", "```"].iter().any(|mark| line.starts_with(mark));
+        for line in self.page.lines().filter(read).filter(|line| holds_here(line)) {
             // Where a comment stood between two blank lines, one of them is enough.
             if !(blank && line.is_empty()) {
-                text.push_str(line);
-                text.push('\n');
+                text.extend([line, "\n"]);
             }
             blank = line.is_empty();
         }
@@ -85,13 +66,9 @@ impl Topic {
 
 /// The topics, one a line with the title of its page.
 pub fn contents() -> String {
-    let width = TOPICS.iter().map(|topic| topic.name.len()).max();
-    let width = width.unwrap_or_default();
-    TOPICS.iter().fold(String::new(), |mut text, topic| {
-        // A string takes whatever it is given.
-        let _ = writeln!(text, "{:width$}  {}", topic.name, topic.title());
-        text
-    })
+    let width = TOPICS.iter().map(|topic| topic.name.len()).max().unwrap_or_default();
+    let line = |topic: &Topic| format!("{:width$}  {}\n", topic.name, topic.title());
+    TOPICS.iter().map(line).collect()
 }
 
 #[cfg(test)]
@@ -123,7 +100,6 @@ mod tests {
     fn fences_and_comments_are_for_markdown_only() {
         let page =
             "# A\n\n<!-- figures: x -->\n\n```text\n  1\n```\n\n<!-- end of figures -->\n\nB\n";
-        let topic = Topic { name: "a", page };
-        assert_eq!(topic.plain(), "# A\n\n  1\n\nB\n");
+        assert_eq!(Topic { name: "a", page }.plain(), "# A\n\n  1\n\nB\n");
     }
 }

@@ -6,8 +6,7 @@
 //! Their weight falls linearly to nothing up to 16 mm, 20 degrees from straight on, and between
 //! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
 
-use crate::scenario::direction::GLOBE_MM;
-use crate::scenario::{Geometry, Projectile, Scenario, Species, Support, Surface};
+use crate::scenario::{Geometry, Scenario, Species, Support, Surface, direction::GLOBE_MM};
 use std::f64::consts::FRAC_PI_4;
 
 /// Diameters up to which objects were tested, and from which they count as unlike, in mm.
@@ -50,47 +49,30 @@ fn ramp(value: f64, (from, to): (f64, f64)) -> f64 {
     ((value - from) / (to - from)).clamp(0.0, 1.0)
 }
 
-/// Kinetic energy of an object over its area, J/m2.
-fn energy_over_area(projectile: &Projectile) -> f64 {
-    let (diameter, speed) = (projectile.diameter_m(), projectile.speed_m_s);
-    0.5 * projectile.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter)
-}
-
-fn softness(surface: Surface) -> f64 {
-    match surface {
-        Surface::Hard => 0.0,
-        Surface::Elastic { modulus_mpa } => ramp(libm::log10(modulus_mpa), HARDNESS),
-        Surface::Inflated { .. } | Surface::Splashing => 1.0,
-    }
-}
-
-/// How far from straight on a blow is, in degrees: its angle, and where on the globe it lands.
-fn off_axis_deg(scenario: &Scenario) -> f64 {
-    let offset_mm = scenario.projectile().map_or(0.0, |object| object.offset_mm);
-    let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
-    scenario.impact.angle_deg().abs() + beside.to_degrees()
-}
-
-/// Whether the orbit's rim is taken as round.
-fn in_round_orbit(scenario: &Scenario) -> bool {
-    let model = scenario.physiological();
-    model.is_some_and(|model| model.support == Support::Orbit)
-        && scenario.geometry() == Some(Geometry::Axisymmetric)
-}
-
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
-        let off_axis = ramp(off_axis_deg(scenario), ANGLE_DEG);
+        // Both its angle and where on the globe it lands.
+        let offset_mm = scenario.projectile().map_or(0.0, |object| object.offset_mm);
+        let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
+        let off_axis = scenario.impact.angle_deg().abs() + beside.to_degrees();
+        let off_axis = ramp(off_axis, ANGLE_DEG);
         let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
         let aslant = if spatial { 0.0 } else { off_axis };
         let Some(object) = scenario.projectile() else {
             // Nobody has pushed an eye with a given force.
             return Self { wider: 1.0, aslant, ..Self::default() };
         };
-        let energy = energy_over_area(object);
+        let (diameter, speed) = (object.diameter_m(), object.speed_m_s);
+        let energy = 0.5 * object.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter);
         let wider = ramp(object.diameter_mm, WIDTH_MM);
-        let softness = softness(object.surface);
+        let softness = match object.surface {
+            Surface::Hard => 0.0,
+            Surface::Elastic { modulus_mpa } => ramp(libm::log10(modulus_mpa), HARDNESS),
+            Surface::Inflated { .. } | Surface::Splashing => 1.0,
+        };
+        let round = scenario.geometry() == Some(Geometry::Axisymmetric)
+            && scenario.physiological().is_some_and(|model| model.support == Support::Orbit);
         let human = scenario.model.species() == Species::Human;
         let inflated = matches!(object.surface, Surface::Inflated { .. });
         Self {
@@ -98,11 +80,7 @@ impl Blow {
             tested: if human { (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness) } else { 0.0 },
             wider,
             aslant,
-            round_rim: if in_round_orbit(scenario) {
-                ramp(object.diameter_mm, MEETS_BONE_MM)
-            } else {
-                0.0
-            },
+            round_rim: if round { ramp(object.diameter_mm, MEETS_BONE_MM) } else { 0.0 },
             goes_in: wider == 0.0 && softness == 0.0 && energy >= GOES_IN,
             sucks: inflated && object.diameter_mm > ORBIT_MM,
         }

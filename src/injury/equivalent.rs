@@ -11,33 +11,20 @@ use std::fmt;
 /// What a BB is, said once beside its speeds.
 pub const A_BB: &str = "a BB is a steel ball of 4.5 mm, 0.345 g";
 
-/// Speeds of the table, m/s.
-pub const SPEEDS: [f64; 12] =
-    [3.0, 5.0, 8.0, 12.0, 18.0, 26.0, 38.0, 56.0, 75.0, 100.0, 140.0, 190.0];
-
-/// The measure of each injury at those speeds, SI.
-pub static MEASURES: PerInjury<[f64; SPEEDS.len()]> = [
-    [
-        0.985e-3, 0.00236, 0.00475, 0.00794, 0.0127, 0.019, 0.0286, 0.0424, 0.0547, 0.0687, 0.0799,
-        0.0989,
-    ],
-    [
-        0.545e-3, 0.00122, 0.00217, 0.00347, 0.00539, 0.00839, 0.0135, 0.0227, 0.0331, 0.0465,
-        0.0684, 0.0869,
-    ],
-    [0.00251, 0.00602, 0.0122, 0.0212, 0.0344, 0.0505, 0.0721, 0.0979, 0.119, 0.136, 0.146, 0.165],
-    [
-        8.4e-05, 0.163e-3, 0.254e-3, 0.353e-3, 0.492e-3, 0.665e-3, 0.00102, 0.00197, 0.00328,
-        0.00431, 0.00382, 0.00541,
-    ],
-    [
-        0.119e-3, 0.22e-3, 0.342e-3, 0.487e-3, 0.673e-3, 0.947e-3, 0.00157, 0.00322, 0.00492,
-        0.00628, 0.00732, 0.00942,
-    ],
-    [
-        372.0, 958.0, 2270.0, 4480.0, 8020.0, 13_900.0, 22_300.0, 39_600.0, 64_900.0, 107_000.0,
-        203_000.0, 375_000.0,
-    ],
+/// Speeds, m/s, and the measure of each injury at each of them, SI.
+pub static BBS: [(f64, PerInjury<f64>); 12] = [
+    (3.0, [0.985e-3, 0.545e-3, 0.00251, 8.4e-05, 0.119e-3, 372.0]),
+    (5.0, [0.00236, 0.00122, 0.00602, 0.163e-3, 0.22e-3, 958.0]),
+    (8.0, [0.00475, 0.00217, 0.0122, 0.254e-3, 0.342e-3, 2270.0]),
+    (12.0, [0.00794, 0.00347, 0.0212, 0.353e-3, 0.487e-3, 4480.0]),
+    (18.0, [0.0127, 0.00539, 0.0344, 0.492e-3, 0.673e-3, 8020.0]),
+    (26.0, [0.019, 0.00839, 0.0505, 0.665e-3, 0.947e-3, 13_900.0]),
+    (38.0, [0.0286, 0.0135, 0.0721, 0.00102, 0.00157, 22_300.0]),
+    (56.0, [0.0424, 0.0227, 0.0979, 0.00197, 0.00322, 39_600.0]),
+    (75.0, [0.0547, 0.0331, 0.119, 0.00328, 0.00492, 64_900.0]),
+    (100.0, [0.0687, 0.0465, 0.136, 0.00431, 0.00628, 107_000.0]),
+    (140.0, [0.0799, 0.0684, 0.146, 0.00382, 0.00732, 203_000.0]),
+    (190.0, [0.0989, 0.0869, 0.165, 0.00541, 0.00942, 375_000.0]),
 ];
 
 /// A BB in place of what hit.
@@ -62,22 +49,22 @@ impl Equivalent {
 
 impl fmt::Display for Equivalent {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let which = match self {
-            Self::Under(_) => "under ",
-            Self::At(_) => "",
-            Self::Over(_) => "over ",
-        };
-        write!(f, "a BB at {which}{:.0} m/s", self.speed())
+        match self {
+            Self::Under(speed) => write!(f, "a BB at under {speed:.0} m/s"),
+            Self::At(speed) => write!(f, "a BB at {speed:.0} m/s"),
+            Self::Over(speed) => write!(f, "a BB at over {speed:.0} m/s"),
+        }
     }
 }
 
 /// The BB of which the tissue of `injury` would feel as much.
 pub fn equivalent(injury: Injury, measure: f64) -> Equivalent {
-    let mut before = (SPEEDS[0], MEASURES[injury as usize][0]);
+    let table = BBS.map(|(speed, measures)| (speed, measures[injury as usize]));
+    let mut before = table[0];
     if measure < before.1 {
         return Equivalent::Under(before.0);
     }
-    for (speed, at) in SPEEDS.into_iter().zip(MEASURES[injury as usize]) {
+    for (speed, at) in table {
         if at > measure {
             let share = libm::log(measure / before.1) / libm::log(at / before.1);
             return Equivalent::At(before.0 * libm::pow(speed / before.0, share));
@@ -86,5 +73,5 @@ pub fn equivalent(injury: Injury, measure: f64) -> Equivalent {
             before = (speed, at);
         }
     }
-    Equivalent::Over(SPEEDS[SPEEDS.len() - 1])
+    Equivalent::Over(table[table.len() - 1].0)
 }

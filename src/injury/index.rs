@@ -67,14 +67,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_part_at_its_threshold_makes_one_hundred() {
-        let index = DamageIndex { shell_growth: 1.5, meridian_growth: 4.0, energy: 5.3 };
-        assert!((index.damage() - 100.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn shrinking_counts_as_nothing() {
-        let index = DamageIndex { shell_growth: -1.0, meridian_growth: -2.0, energy: 0.53 };
-        assert!((index.damage() - 5.0).abs() < 1e-12);
+    fn every_part_at_its_threshold_makes_one_hundred_and_shrinking_counts_as_nothing() {
+        let damage = |shell_growth, meridian_growth, energy| {
+            DamageIndex { shell_growth, meridian_growth, energy }.damage()
+        };
+        assert!((damage(1.5, 4.0, 5.3) - 100.0).abs() < 1e-12);
+        assert!((damage(-1.0, -2.0, 0.53) - 5.0).abs() < 1e-12);
     }
 }

@@ -4,9 +4,7 @@ use crate::run::quantity::Quantity;
 use strum::{EnumCount, IntoStaticStr, VariantArray};
 
 /// An injury, the gravest first.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, EnumCount, IntoStaticStr, VariantArray,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "snake_case")]
 pub enum Injury {
     /// The wall of the globe torn through.
@@ -27,28 +25,29 @@ impl Injury {
     /// All of them, the gravest first.
     pub const ALL: &[Self] = Self::VARIANTS;
 
+    /// Its name and short word, what its tissue felt and its risk as a result.
+    const fn row(self) -> (&'static str, &'static str, Quantity, Quantity) {
+        use Quantity as Q;
+        match self {
+            Self::GlobeRupture => ("globe rupture", "rupture", Q::EquatorStretch, Q::GlobeRupture),
+            Self::RetinaBack => ("retina at the back", "retina", Q::BackStretch, Q::RetinaBack),
+            Self::RetinaFront => ("retina's front edge", "edge", Q::EdgeGrowth, Q::RetinaFront),
+            Self::LensDislocation => ("lens dislocation", "lens", Q::LensPull, Q::LensDislocation),
+            Self::Hyphema => ("hyphema", "hyphema", Q::IrisPull, Q::Hyphema),
+            Self::CornealAbrasion => {
+                ("corneal abrasion", "abrasion", Q::CornealEnergy, Q::CornealAbrasion)
+            }
+        }
+    }
+
     /// The name for people.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::GlobeRupture => "globe rupture",
-            Self::RetinaBack => "retina at the back",
-            Self::RetinaFront => "retina's front edge",
-            Self::LensDislocation => "lens dislocation",
-            Self::Hyphema => "hyphema",
-            Self::CornealAbrasion => "corneal abrasion",
-        }
+        self.row().0
     }
 
     /// Its name where there is room for one short word.
     pub const fn word(self) -> &'static str {
-        match self {
-            Self::GlobeRupture => "rupture",
-            Self::RetinaBack => "retina",
-            Self::RetinaFront => "edge",
-            Self::LensDislocation => "lens",
-            Self::Hyphema => "hyphema",
-            Self::CornealAbrasion => "abrasion",
-        }
+        self.row().1
     }
 
     /// Its name in JSON.
@@ -58,26 +57,12 @@ impl Injury {
 
     /// What its tissue felt, which its risk is read from.
     pub const fn measure(self) -> Quantity {
-        match self {
-            Self::GlobeRupture => Quantity::EquatorStretch,
-            Self::RetinaBack => Quantity::BackStretch,
-            Self::RetinaFront => Quantity::EdgeGrowth,
-            Self::LensDislocation => Quantity::LensPull,
-            Self::Hyphema => Quantity::IrisPull,
-            Self::CornealAbrasion => Quantity::CornealEnergy,
-        }
+        self.row().2
     }
 
     /// Its risk as a result.
     pub const fn result(self) -> Quantity {
-        match self {
-            Self::GlobeRupture => Quantity::GlobeRupture,
-            Self::RetinaBack => Quantity::RetinaBack,
-            Self::RetinaFront => Quantity::RetinaFront,
-            Self::LensDislocation => Quantity::LensDislocation,
-            Self::Hyphema => Quantity::Hyphema,
-            Self::CornealAbrasion => Quantity::CornealAbrasion,
-        }
+        self.row().3
     }
 
     /// The injury whose risk a result is; none of what is no risk.

@@ -14,7 +14,7 @@ mod words;
 
 pub use crate::injury::blow::Blow;
 pub use crate::injury::energy::{CURVES, EnergyCurve};
-pub use crate::injury::equivalent::{A_BB, Equivalent, MEASURES, SPEEDS, equivalent};
+pub use crate::injury::equivalent::{A_BB, BBS, Equivalent, equivalent};
 pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::kind::{Injury, PerInjury};
 pub use crate::injury::risk::{Known, Risk, in_short};

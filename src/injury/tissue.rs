@@ -12,7 +12,7 @@
 //! What a single blow does not tell apart, eyes, gives a probability; what is not known, the curve,
 //! the errors and the inputs, gives its range.
 
-use crate::injury::kind::Injury;
+use crate::injury::kind::{Injury, PerInjury};
 
 /// The curve of one injury against its measure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,8 +23,7 @@ pub struct TissueCurve {
     pub eyes: f64,
     /// How far the curve is known: a standard deviation in log10 of the measure.
     pub known: f64,
-    /// How far the published energy of 50 % is known, where that curve counts: a standard
-    /// deviation in its log10.
+    /// The same of the published energy of 50 %, where that curve counts: in its log10.
     pub energy_known: f64,
     /// Where the data end: the largest of the kinds at 100 kJ/m2, SI.
     pub end: f64,
@@ -42,59 +41,22 @@ impl Injury {
     }
 }
 
-static CURVES: [TissueCurve; Injury::ALL.len()] = [
-    TissueCurve {
-        half: 0.0568,
-        eyes: 0.141,
-        known: 0.107,
-        energy_known: 0.05,
-        end: 0.153,
-        mesh_unknown: 0.30,
-        matched: "34.2 to 35.8 kJ/m2, human eyes in gelatin",
-    },
-    TissueCurve {
-        half: 0.0358,
-        eyes: 0.080,
-        known: 0.082,
-        energy_known: 0.10,
-        end: 0.131,
-        mesh_unknown: 0.30,
-        matched: "30.4 kJ/m2, human and pig eyes; thin data",
-    },
-    TissueCurve {
-        half: 0.130,
-        eyes: 0.042,
-        known: 0.150,
-        energy_known: 0.10,
-        end: 0.143,
-        mesh_unknown: 0.30,
-        matched: "10 % at 1.2 J with blunt metal of 2.6 to 45.5 g, 16 pig eyes; very thin data",
-    },
-    TissueCurve {
-        half: 1.66e-3,
-        eyes: 0.068,
-        known: 0.134,
-        energy_known: 0.05,
-        end: 5.62e-3,
-        mesh_unknown: 0.60,
-        matched: "19.2 and 21.7 kJ/m2, human and pig eyes",
-    },
-    TissueCurve {
-        half: 2.15e-3,
-        eyes: 0.103,
-        known: 0.173,
-        energy_known: 0.10,
-        end: 9.10e-3,
-        mesh_unknown: 0.50,
-        matched: "12.7 and 20.2 kJ/m2, human and pig eyes",
-    },
-    TissueCurve {
-        half: 2180.0,
-        eyes: 0.135,
-        known: 0.272,
-        energy_known: 0.10,
-        end: 1.02e5,
-        mesh_unknown: 0.30,
-        matched: "1.50 kJ/m2, foam beside metal",
-    },
+/// A curve by its numbers, in the order of their fields.
+const fn curve(
+    [half, eyes, known, energy_known, end, mesh_unknown]: [f64; 6],
+    matched: &'static str,
+) -> TissueCurve {
+    TissueCurve { half, eyes, known, energy_known, end, mesh_unknown, matched }
+}
+
+static CURVES: PerInjury<TissueCurve> = [
+    curve([0.0568, 0.141, 0.107, 0.05, 0.153, 0.30], "34.2 to 35.8 kJ/m2, human eyes in gelatin"),
+    curve([0.0358, 0.080, 0.082, 0.10, 0.131, 0.30], "30.4 kJ/m2, human and pig eyes; thin data"),
+    curve(
+        [0.130, 0.042, 0.150, 0.10, 0.143, 0.30],
+        "10 % at 1.2 J with blunt metal of 2.6 to 45.5 g, 16 pig eyes; very thin data",
+    ),
+    curve([1.66e-3, 0.068, 0.134, 0.05, 5.62e-3, 0.60], "19.2 and 21.7 kJ/m2, human and pig eyes"),
+    curve([2.15e-3, 0.103, 0.173, 0.10, 9.10e-3, 0.50], "12.7 and 20.2 kJ/m2, human and pig eyes"),
+    curve([2180.0, 0.135, 0.272, 0.10, 1.02e5, 0.30], "1.50 kJ/m2, foam beside metal"),
 ];

@@ -17,8 +17,7 @@ const SCALE: [(f64, &str); 4] =
 /// The place in the scale of words of a risk from 0 to 1, as it is printed.
 pub fn gravity(risk: f64) -> usize {
     let percent = (100.0 * risk).round();
-    let place = SCALE.iter().position(|(below, _)| percent < *below);
-    place.unwrap_or(SCALE.len() - 1)
+    SCALE.iter().position(|(below, _)| percent < *below).unwrap_or(SCALE.len() - 1)
 }
 
 /// A risk from 0 to 1 in whole percent.
@@ -44,15 +43,12 @@ pub fn span((low, high): (f64, f64)) -> String {
 impl Risk {
     /// The whole range in a word or two.
     pub fn word(&self) -> String {
-        let (low, high) = (gravity(self.range.0), gravity(self.range.1));
-        if !self.usable {
-            "not known".to_owned()
-        } else if self.is_unclear() {
-            "unclear".to_owned()
-        } else if low == high {
-            SCALE[low].1.to_owned()
-        } else {
-            format!("{} to {}", SCALE[low].1, SCALE[high].1)
+        let [low, high] = [self.range.0, self.range.1].map(|end| SCALE[gravity(end)].1);
+        match () {
+            () if !self.usable => "not known".to_owned(),
+            () if self.is_unclear() => "unclear".to_owned(),
+            () if low == high => low.to_owned(),
+            () => format!("{low} to {high}"),
         }
     }
 
@@ -64,16 +60,12 @@ impl Risk {
     /// The range in percent.
     pub fn percent(&self) -> String {
         // Whole ranges and what is over 99 % need no other word for more.
-        let said = span(self.range);
-        if self.at_least && said != whole(1.0) && (100.0 * self.range.0).round() > 0.0 {
-            format!("{AT_LEAST} {}", whole(self.range.0))
-        } else {
-            said
-        }
+        let (said, least) = (span(self.range), self.range.0);
+        let more = self.at_least && said != whole(1.0) && (100.0 * least).round() > 0.0;
+        if more { format!("{AT_LEAST} {}", whole(least)) } else { said }
     }
 
-    /// What to say after the injury's name, the longest words first, for places where room may be
-    /// short.
+    /// What to say after the injury's name, the longest words first, as room may be short.
     pub fn forms(&self) -> Vec<String> {
         let short = format!("{} ({})", self.word(), self.percent());
         if !self.usable {
@@ -81,11 +73,9 @@ impl Risk {
         }
         let risk = whole(self.risk);
         let about = if is_inner(&risk) { "about " } else { "" };
-        let middle = if risk == self.percent() || !self.has_middle() {
-            short.clone()
-        } else {
-            format!("{} ({about}{risk}, {})", self.word(), self.percent())
-        };
+        let middle = format!("{} ({about}{risk}, {})", self.word(), self.percent());
+        let sure = risk == self.percent() || !self.has_middle();
+        let middle = if sure { short.clone() } else { middle };
         let equivalent = format!("{middle}, like {}", self.equivalent);
         vec![equivalent, middle, short, self.percent()]
     }
@@ -106,9 +96,8 @@ impl Risk {
         if self.bursts() {
             words.extend(["; ", BURST]);
         }
-        for note in self.notes.iter().filter(|note| !said.contains(note)) {
-            words.extend(["; ", note]);
-        }
+        let notes = self.notes.iter().filter(|note| !said.contains(note));
+        words.extend(notes.flat_map(|note| ["; ", note]));
         words
     }
 

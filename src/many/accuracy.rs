@@ -33,8 +33,7 @@ const SHARES: [f64; 3] = [0.95, 0.6, 0.3];
 const WORTH: f64 = 0.98;
 /// Runs of which the median time is taken.
 pub const ROUNDS: usize = 3;
-/// The step of the reference as a share of its stability limit: beside mesh errors its own error
-/// is nothing.
+/// The reference's step as a share of its stability limit: beside mesh errors its own is nothing.
 const REFERENCE_SHARE: f64 = 0.15;
 /// Total errors that the cheapest trial is named for, in %.
 pub const TOLERANCES: [f64; 6] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
@@ -143,78 +142,103 @@ impl Accuracy {
         let mut best = f64::INFINITY;
         for total in &mut totals {
             total.on_front = total.error() < WORTH * best;
-            if total.on_front {
-                best = total.error();
-            }
+            best = if total.on_front { total.error() } else { best };
         }
         totals
     }
 
     /// The results of which some trial's error is known.
     pub fn results(&self) -> Vec<Quantity> {
-        let all = Quantity::ALL.iter().copied();
-        all.filter(|of| !self.of(*of).is_empty()).collect()
+        Quantity::ALL.iter().copied().filter(|of| !self.of(*of).is_empty()).collect()
     }
 
     /// The result to show: the chosen one where its error is known, else pressure, else damage.
     pub fn to_show(&self, chosen: Option<Quantity>) -> Option<Quantity> {
         let known = self.results();
         let mut own = chosen.into_iter().chain([Quantity::Pressure, Quantity::Damage]);
-        let there = own.find(|of| known.contains(of));
-        there.or(known.first().copied())
+        own.find(|of| known.contains(of)).or(known.first().copied())
+    }
+
+    fn add(&mut self, job: &Job, cases: &[Compiled], watch: Watch) -> Result<(), Refusal> {
+        let case = || &cases[job.level as usize - 1];
+        match job.what {
+            What::Level => self.levels.push(at_level(&self.scenario, job.level, watch)?),
+            What::Reference => {
+                let run = case().run(&job.plan, Keep::default(), watch)?;
+                self.references.push(case().results(&run));
+            }
+            What::Trial(place) => {
+                let trial = &mut self.trials[place];
+                let began = Instant::now();
+                let run = case().run(&job.plan, Keep::default(), watch);
+                let took = began.elapsed().as_secs_f64();
+                match run {
+                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
+                    Err(_) => {}
+                    Ok(run) => {
+                        let each = case().elements_per_evaluation();
+                        trial.elements = (run.cost.evaluations * each) as f64;
+                        trial.results = Some(case().results(&run));
+                    }
+                }
+                trial.times.push(took);
+            }
+        }
+        self.done += 1;
+        Ok(())
     }
 }
 
-/// One piece of the work.
 #[derive(Clone, Copy)]
-enum Job {
+enum What {
     /// The automatic step on a level.
-    Level(u32),
+    Level,
     /// What step errors on a level are against.
-    Reference(u32),
+    Reference,
     /// The trial of this place among all.
     Trial(usize),
 }
 
-/// All jobs with their cost in springs or cells, from coarse to fine; then the further rounds.
-fn jobs(scenario: &Scenario, cases: &[Compiled], trials: &[Trial]) -> Vec<(Job, f64)> {
+/// One piece of the work, with its cost in springs or cells.
+struct Job {
+    what: What,
+    level: u32,
+    plan: Plan,
+    cost: f64,
+}
+
+/// All jobs from coarse to fine; then the further rounds.
+fn jobs(scenario: &Scenario, cases: &[Compiled], trials: &[Trial]) -> Vec<Job> {
     let most = cases.len() as u32;
-    let case = |level: u32| &cases[level.min(most) as usize - 1];
-    // Above the finest level that is tried work is taken to grow with the cube.
-    let cost = |level: u32, plan: &Plan| {
+    let job = |what: What, level: u32| {
+        let case = &cases[level.min(most) as usize - 1];
+        let plan = match what {
+            What::Level => answer(case),
+            What::Reference => case.plan_at(case.rules().reference, REFERENCE_SHARE),
+            What::Trial(place) => trials[place].plan,
+        };
         let evaluations = plan.window / plan.step * plan.integrator.method().evaluations() as f64;
+        // Above the finest level that is tried work is taken to grow with the cube.
         let finer = f64::from(level) / f64::from(level.min(most));
-        evaluations * case(level).eye.elements_per_evaluation() as f64 * finer.powi(3)
+        let cost = evaluations * case.eye.elements_per_evaluation() as f64 * finer.powi(3);
+        Job { what, level, plan, cost }
     };
-    let timed = |(place, trial): (usize, &Trial)| {
-        let cost = cost(trial.level, &trial.plan);
-        (Job::Trial(place), cost)
-    };
-    let places = || trials.iter().enumerate();
+    let round = || trials.iter().enumerate().map(|(i, trial)| job(What::Trial(i), trial.level));
     let (mut jobs, mut levels) = (Vec::new(), 0);
     for level in 1..=most {
-        let finest = witnesses(scenario, level)[1];
-        for next in levels + 1..=finest {
-            jobs.push((Job::Level(next), cost(next, &answer(case(next)))));
-        }
-        levels = levels.max(finest);
-        jobs.push((Job::Reference(level), cost(level, &reference(case(level)))));
-        jobs.extend(places().filter(|(_, of)| of.level == level).map(timed));
+        let reached = witnesses(scenario, level)[1].max(levels);
+        jobs.extend((levels + 1..=reached).map(|next| job(What::Level, next)));
+        levels = reached;
+        jobs.push(job(What::Reference, level));
+        jobs.extend(round().filter(|job| job.level == level));
     }
-    for _ in 1..ROUNDS {
-        jobs.extend(places().map(timed));
-    }
+    jobs.extend((1..ROUNDS).flat_map(|_| round()));
     jobs
 }
 
-/// The plan of an answer.
 fn answer(case: &Compiled) -> Plan {
     let automatic = case.rules().answer;
     case.plan_at(automatic.integrator, automatic.share)
-}
-
-fn reference(case: &Compiled) -> Plan {
-    case.plan_at(case.rules().reference, REFERENCE_SHARE)
 }
 
 /// The trials on a level, the plan of an answer first.
@@ -236,46 +260,6 @@ fn trials(case: &Compiled) -> Vec<Trial> {
         times: Vec::new(),
     };
     plans.into_iter().map(trial).collect()
-}
-
-impl Accuracy {
-    /// Does one piece of the work.
-    fn add(
-        &mut self,
-        job: Job,
-        scenario: &Scenario,
-        cases: &[Compiled],
-        watch: Watch,
-    ) -> Result<(), Refusal> {
-        let case = |level: u32| &cases[level as usize - 1];
-        match job {
-            Job::Level(level) => self.levels.push(at_level(scenario, level, watch)?),
-            Job::Reference(level) => {
-                let case = case(level);
-                let run = case.run(&reference(case), Keep::default(), watch)?;
-                self.references.push(case.results(&run));
-            }
-            Job::Trial(place) => {
-                let trial = &mut self.trials[place];
-                let case = case(trial.level);
-                let began = Instant::now();
-                let run = case.run(&trial.plan, Keep::default(), watch);
-                let took = began.elapsed().as_secs_f64();
-                match run {
-                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
-                    Err(_) => {}
-                    Ok(run) => {
-                        let each = case.elements_per_evaluation();
-                        trial.elements = (run.cost.evaluations * each) as f64;
-                        trial.results = Some(case.results(&run));
-                    }
-                }
-                trial.times.push(took);
-            }
-        }
-        self.done += 1;
-        Ok(())
-    }
 }
 
 /// Measures what `known`, of the same scenario and finest level, lacks: levels 1 to `finest`,
@@ -308,12 +292,12 @@ pub fn measure(
     });
     let jobs = jobs(scenario, &cases, &accuracy.trials);
     accuracy.all = jobs.len();
-    let whole: f64 = jobs.iter().map(|(_, cost)| cost).sum();
-    let mut done: f64 = jobs[..accuracy.done].iter().map(|(_, cost)| cost).sum();
-    for (job, cost) in &jobs[accuracy.done..] {
-        let mut part = |share: f64| watch(((done + share.min(1.0) * cost) / whole).min(1.0));
-        accuracy.add(*job, scenario, &cases, &mut part)?;
-        done += cost;
+    let whole: f64 = jobs.iter().map(|job| job.cost).sum();
+    let mut done: f64 = jobs[..accuracy.done].iter().map(|job| job.cost).sum();
+    for job in &jobs[accuracy.done..] {
+        let mut part = |share: f64| watch(((done + share.min(1.0) * job.cost) / whole).min(1.0));
+        accuracy.add(job, &cases, &mut part)?;
+        done += job.cost;
         show(&accuracy);
         if watch((done / whole).min(1.0)) == ControlFlow::Break(()) {
             return Err(Refusal::Cancelled);
@@ -337,18 +321,15 @@ mod tests {
         const FINEST: u32 = 3;
         let scenario = short();
         let mut last = None;
-        let stopped =
-            measure(&scenario, FINEST, None, &mut |share| stop_if(share > 0.3), &mut |accuracy| {
-                last = Some(accuracy.clone())
-            });
+        let mut keep = |accuracy: &Accuracy| last = Some(accuracy.clone());
+        let mut early = |share| stop_if(share > 0.3);
+        let stopped = measure(&scenario, FINEST, None, &mut early, &mut keep);
         assert_eq!(stopped.unwrap_err(), Refusal::Cancelled);
-        let part = last.unwrap();
-        let before = part.clone();
-        let whole = measure(&scenario, FINEST, Some(part), &mut unwatched, &mut |_| {}).unwrap();
+        let before = last.clone().unwrap();
+        let whole = measure(&scenario, FINEST, last, &mut unwatched, &mut |_| {}).unwrap();
         assert!(before.done > 3 && before.done < whole.done);
         assert_eq!(whole.levels[0], before.levels[0]);
-        let timed = |trial: &Trial| trial.times.len() == ROUNDS;
-        assert!(whole.trials.iter().all(timed));
+        assert!(whole.trials.iter().all(|trial| trial.times.len() == ROUNDS));
 
         let totals = whole.of(Quantity::Damage);
         assert!(totals.is_sorted_by(|a, b| a.seconds <= b.seconds));
@@ -363,9 +344,8 @@ mod tests {
         assert_eq!(whole.to_show(Some(Quantity::Apex)), Some(Quantity::Apex));
         for percent in TOLERANCES {
             let within = |total: &Total| total.error() <= percent;
-            let (faster, rest) =
-                totals.split_at(cheapest(&totals, percent).unwrap_or(totals.len()));
-            assert!(rest.first().is_none_or(within) && !faster.iter().any(within));
+            let first = cheapest(&totals, percent).unwrap_or(totals.len());
+            assert!(totals.get(first).is_none_or(within) && !totals[..first].iter().any(within));
         }
     }
 

@@ -42,8 +42,7 @@ pub struct Checks {
     pub refined: usize,
     /// How many of those after the pilot, whose step was what the unchecked ones take.
     pub missed: usize,
-    /// Largest error at the step tried first, after the pilot, in %; none if no sample was checked
-    /// there.
+    /// Largest error at the step tried first, after the pilot, in %, if any was checked there.
     pub first: Option<f64>,
     /// Largest error at the step taken, in %.
     pub last: f64,
@@ -62,33 +61,25 @@ impl Ensemble {
 
     /// Which samples the bands hold, in words.
     pub fn which(&self) -> String {
-        match self.folded() {
-            0 => "those that ran.".to_owned(),
-            folded => {
-                format!("those that ran. The mesh of {folded} folded, beyond the model's validity.")
-            }
-        }
+        let folded = self.folded();
+        let folded = (folded > 0)
+            .then(|| format!(" The mesh of {folded} folded, beyond the model's validity."));
+        format!("those that ran.{}", folded.unwrap_or_default())
     }
 
     /// Samples whose mesh folded.
     pub fn folded(&self) -> usize {
-        let folded = |s: &&Sample| s.outcome.as_ref().is_ok_and(BriefAnswer::folded);
-        self.samples.iter().filter(folded).count()
+        self.valid().filter(|(_, point)| point.folded()).count()
     }
 
     /// What samples were flagged with or refused for, and how many of each, by name.
     pub fn counts(&self) -> Vec<(String, usize)> {
+        let names = self.samples.iter().flat_map(|sample| match &sample.outcome {
+            Ok(point) => point.flags.iter().map(|flag| flag.name().to_owned()).collect(),
+            Err(name) => vec![format!("refused: {name}")],
+        });
         let mut counts = std::collections::BTreeMap::new();
-        for sample in &self.samples {
-            match &sample.outcome {
-                Ok(point) => {
-                    for flag in &point.flags {
-                        *counts.entry(flag.name().to_owned()).or_insert(0) += 1;
-                    }
-                }
-                Err(name) => *counts.entry(format!("refused: {name}")).or_insert(0) += 1,
-            }
-        }
+        names.for_each(|name| *counts.entry(name).or_insert(0) += 1);
         counts.into_iter().collect()
     }
 
@@ -106,9 +97,8 @@ impl Ensemble {
         Some(Band { low: at(tail(of))?, median: at(0.5)?, high: at(1.0 - tail(of))? })
     }
 
-    /// Whether a result of the scenario as it stands lies outside its band, and the input that may
-    /// be why: of those that stand at an end of what they are drawn from, the one that drives the
-    /// result most.
+    /// Whether a result of the scenario as it stands lies outside its band, and what may be why: of
+    /// the inputs at an end of what they are drawn from the one that drives the result most.
     pub fn outside(&self, of: Quantity) -> Option<Option<&UncertainInput>> {
         let (band, nominal) = (self.band(of)?, self.nominal.as_ref()?[of]?);
         // What is not drawn has a band of no width, and rounding is no news.
@@ -123,22 +113,17 @@ impl Ensemble {
 
     /// The results that have a band.
     pub fn results(&self) -> Vec<Quantity> {
-        let has = |of: &Quantity| self.band(*of).is_some();
-        Quantity::ALL.iter().copied().filter(has).collect()
+        Quantity::ALL.iter().copied().filter(|of| self.band(*of).is_some()).collect()
     }
 
-    /// Rank correlation of each input with a result, the strongest first: index of the input and
-    /// correlation. None where the scene has no such result.
+    /// Each input's index and rank correlation with a result, if any, the strongest first.
     pub fn drivers(&self, of: Quantity) -> Vec<(usize, f64)> {
-        let Some(values) = self.values(of) else {
-            return Vec::new();
+        let Some(values) = self.values(of) else { return Vec::new() };
+        let with = |input: usize| {
+            let drawn: Vec<f64> = self.valid().map(|(sample, _)| sample.drawn[input]).collect();
+            (input, rank_correlation(&drawn, &values))
         };
-        let mut found: Vec<(usize, f64)> = (0..self.inputs.len())
-            .map(|input| {
-                let drawn: Vec<f64> = self.valid().map(|(s, _)| s.drawn[input]).collect();
-                (input, rank_correlation(&drawn, &values))
-            })
-            .collect();
+        let mut found: Vec<(usize, f64)> = (0..self.inputs.len()).map(with).collect();
         found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         found
     }
@@ -147,10 +132,8 @@ impl Ensemble {
     pub fn checks(&self) -> Checks {
         let mut checks = Checks::default();
         for (index, sample) in self.samples.iter().enumerate() {
-            let Ok(point) = &sample.outcome else { continue };
-            let (Some(check), false) = (point.check, point.folded()) else {
-                continue;
-            };
+            let kept = sample.outcome.as_ref().ok().filter(|point| !point.folded());
+            let Some(check) = kept.and_then(|point| point.check) else { continue };
             let refined = check.first > self.promise;
             checks.count += 1;
             checks.refined += usize::from(refined);

@@ -1,17 +1,15 @@
 //! Several scenarios side by side: what came of each with the errors of step and mesh, which
 //! results are worth a column, and which blow is worse.
 //!
-//! [`compare`] answers them on all cores; what one of them refuses is kept beside the answers of
-//! the others.
+//! [`compare`] answers them on all cores; what one of them refuses is kept beside the others.
 
 use std::borrow::Borrow;
 use std::cmp::Ordering;
-use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, PoisonError};
 
-use crate::answer::complete::complete;
-use crate::answer::solve::{Answer, solve};
+use crate::answer::{complete::complete, solve::Answer, solve::solve};
+use crate::run::refusal::unstopped;
 use crate::run::{kept::Keep, ordered, ordered::until, quantity::Quantity, refusal::Refusal};
 use crate::scenario::{CheckedScenario, Scenario};
 
@@ -45,28 +43,18 @@ pub struct Entry<A = Answer> {
 impl<A: Borrow<Answer>> Entry<A> {
     /// An entry without an answer yet.
     pub fn new(name: &str, scenario: &Scenario) -> Self {
-        Self {
-            name: name.to_owned(),
-            scenario: scenario.clone(),
-            found: Found::Awaited,
-            without_mesh: false,
-        }
+        let (name, scenario) = (name.to_owned(), scenario.clone());
+        Self { name, scenario, found: Found::Awaited, without_mesh: false }
     }
 
     /// The answer, if there is one.
     pub fn answer(&self) -> Option<&Answer> {
-        match &self.found {
-            Found::Answer(answer) => Some(answer.borrow()),
-            _ => None,
-        }
+        if let Found::Answer(answer) = &self.found { Some(answer.borrow()) } else { None }
     }
 
     /// Why there is no answer, if it was refused.
     pub fn refused(&self) -> Option<&str> {
-        match &self.found {
-            Found::Refused(why) => Some(why),
-            _ => None,
-        }
+        if let Found::Refused(why) = &self.found { Some(why) } else { None }
     }
 }
 
@@ -82,10 +70,7 @@ pub enum ComparisonColumn {
 impl ComparisonColumn {
     /// The value of an answer in this column, where it has one.
     pub fn of(self, answer: &Answer) -> Option<f64> {
-        match self {
-            Self::Name => None,
-            Self::Result(quantity) => answer.result(quantity),
-        }
+        if let Self::Result(quantity) = self { answer.result(quantity) } else { None }
     }
 
     /// Whether the column is the risk of an injury.
@@ -96,16 +81,14 @@ impl ComparisonColumn {
     /// Place from the left: risks, what acts on the eye, the rest.
     fn rank(self) -> u8 {
         match self {
-            Self::Name => 0,
             _ if self.is_risk() => 0,
             Self::Result(Quantity::Pressure | Quantity::ScleralStress | Quantity::Contact) => 1,
-            Self::Result(_) => 2,
+            _ => 2,
         }
     }
 }
 
-/// Which of two stands first in the order of a column: the largest first or last, and what has none
-/// last either way.
+/// The order of two in a column, the largest first or last; what has none is last either way.
 pub fn order<A: Borrow<Answer>>(
     a: &Entry<A>,
     b: &Entry<A>,
@@ -121,8 +104,7 @@ pub fn order<A: Borrow<Answer>>(
     }
 }
 
-/// Every column, from the left: the names, what to believe, then the results that some answer has,
-/// or all before there are answers.
+/// The names, then the risks and other results that some answer has, or all before there are any.
 pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn> {
     let answers = || entries.iter().filter_map(Entry::answer);
     let none = answers().next().is_none();
@@ -134,8 +116,7 @@ pub fn columns<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Vec<ComparisonColumn>
     columns
 }
 
-/// The results worth printing, the risks first: those that lead in one of the entries, the risks,
-/// and the one that sorts.
+/// The results worth printing: the risks, those that lead in an entry, and the one that sorts.
 pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> {
     let worth = |of: Quantity| {
         entries.iter().filter_map(Entry::answer).any(|answer| {
@@ -179,32 +160,21 @@ pub fn compare(
         })?;
         Ok(answer)
     };
-    let mut entries = Vec::new();
     let job = |at: usize| {
         let (name, scenario) = &asked[at];
-        let found = match solved(at, scenario) {
-            Err(Refusal::Cancelled) => return None,
-            Err(refusal) => Found::Refused(refusal.to_string()),
-            Ok(answer) => Found::Answer(answer),
-        };
+        let solved = unstopped(solved(at, scenario))?;
+        tell(at, 1.0);
+        let refused = |refusal: Refusal| Found::Refused(refusal.to_string());
+        let found = solved.map_or_else(refused, Found::Answer);
         Some(Entry { found, ..Entry::new(name, scenario) })
     };
-    ordered::run((0, asked.len()), stop, job, |at, entry| {
-        tell(at, 1.0);
-        entries.push(entry);
-        ControlFlow::Continue(())
-    });
-    if entries.len() < asked.len() {
-        return Err(Refusal::Cancelled);
-    }
-    Ok(entries)
+    ordered::all(asked.len(), stop, job, |_| {})
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scenario::set::set;
-    use std::sync::atomic::Ordering as Memory;
 
     fn of(force: &str) -> (String, CheckedScenario) {
         let mut scenario = Scenario { window_ms: Some(0.3), ..Scenario::default() };
@@ -217,18 +187,14 @@ mod tests {
         let asked = vec![of("100"), of("300"), of("200")];
         let stop = AtomicBool::new(false);
         let mut entries = compare(&asked, |_| Keep::default(), &stop, |_| {}).unwrap();
-        let names = |entries: &[Entry]| -> Vec<String> {
-            entries.iter().map(|entry| entry.name.clone()).collect()
-        };
+        let names = |entries: &[Entry]| entries.iter().map(|e| e.name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&entries), ["100", "300", "200"]);
         entries.sort_by(|a, b| order(a, b, (ComparisonColumn::Result(Quantity::Apex), true)));
         assert_eq!(names(&entries), ["300", "200", "100"]);
-        for entry in &entries {
-            assert!(entry.answer().unwrap().errors.mesh.is_some());
-        }
+        assert!(entries.iter().all(|entry| entry.answer().unwrap().errors.mesh.is_some()));
         let columns = leading(&entries, Some(Quantity::StoredEnergy));
         assert!(columns.contains(&Quantity::StoredEnergy) && !columns.contains(&Quantity::Contact));
-        stop.store(true, Memory::Relaxed);
-        assert!(compare(&[of("100")], |_| Keep::default(), &stop, |_| {}).is_err());
+        let stopped = AtomicBool::new(true);
+        assert!(compare(&asked, |_| Keep::default(), &stopped, |_| {}).is_err());
     }
 }

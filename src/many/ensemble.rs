@@ -18,10 +18,9 @@
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
 use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
-use crate::injury::{Blow, Injury, PerInjury};
+use crate::injury::{Blow, Injury};
 use crate::many::statistics::median;
-use crate::run::ordered::{self, until};
-use crate::run::{refusal::Refusal, threads};
+use crate::run::{ordered, ordered::until, refusal::Refusal, refusal::unstopped, threads};
 use crate::scenario::{CheckedScenario, Scenario};
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
@@ -56,8 +55,7 @@ pub struct Timing {
     pub wall: f64,
     /// On all cores together, in s.
     pub cores: f64,
-    /// A single run of the scenario itself, results only, in s: the median of runs among the
-    /// samples.
+    /// A run of the scenario itself, results only, in s: the median of those among the samples.
     pub single: Option<f64>,
     /// Threads that shared the samples.
     pub threads: usize,
@@ -84,44 +82,8 @@ pub struct Ensemble {
     pub timing: Timing,
 }
 
-/// The scenario with sample number `index` in place of its nominal values.
-fn drawn(
-    scenario: &Scenario,
-    inputs: &[UncertainInput],
-    index: u32,
-    seed: u32,
-) -> (Scenario, Vec<f64>) {
-    let mut changed = scenario.clone();
-    changed.doubt.clear();
-    let mut values = Vec::with_capacity(inputs.len());
-    for (dimension, input) in (0..).zip(inputs) {
-        // The sequence has 23 bits; the middle of its cell is never 0 or 1.
-        let u = f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5 / 8_388_608.0;
-        let value = input.value(u);
-        input.put(&mut changed, value);
-        values.push(value);
-    }
-    (changed, values)
-}
-
-/// Reads the risks of a sample again as if the curves lay `off` standard deviations away, and as
-/// matched with the eye that was drawn: `moved` says how far log10 of each measure then moves.
-fn put_curves(answer: &mut BriefAnswer, blow: &Blow, off: f64, moved: &PerInjury<f64>) {
-    for injury in Injury::ALL {
-        let (measure, result) = (injury.measure(), injury.result());
-        // Of an eye that was missed it is 0 and stays so.
-        if let Some(value) = answer.values[measure]
-            && answer.values[result].is_some_and(|risk| risk > 0.0)
-        {
-            let value = value / measure.row().factor * libm::pow(10.0, -moved[*injury as usize]);
-            let drawn = injury.risk_of_draw(blow, value, off);
-            answer.values[result] = Some(drawn * result.row().factor);
-        }
-    }
-}
-
 /// What a refusal is counted under.
-fn name(refusal: &Refusal) -> String {
+fn name(refusal: &Refusal) -> &'static str {
     match refusal {
         Refusal::Scenario(_) => "not_allowed",
         Refusal::IntegratorUnfit { .. } => "integrator_unfit",
@@ -132,65 +94,82 @@ fn name(refusal: &Refusal) -> String {
         Refusal::ToleranceNotMet { .. } => "tolerance_not_met",
         Refusal::Cancelled => "cancelled",
     }
-    .to_owned()
-}
-
-/// What every sample needs.
-struct Job<'a> {
-    scenario: &'a CheckedScenario,
-    inputs: &'a [UncertainInput],
-    seed: u32,
-    cap: Option<f64>,
-    stop: &'a AtomicBool,
-}
-
-impl Job<'_> {
-    /// Sample number `index`; nothing if it was stopped.
-    fn run(&self, index: u32) -> Option<Sample> {
-        let (mut scenario, drawn) = drawn(self.scenario, self.inputs, index, self.seed);
-        let checked = scenario.check().map_err(|error| {
-            let field = error.problems.first().map_or("", |p| p.field.as_str());
-            format!("{field} not allowed")
-        });
-        let checked = match checked {
-            Ok(checked) => checked,
-            Err(why) => {
-                let outcome = Err(why);
-                return Some(Sample { drawn, outcome });
-            }
-        };
-        let mut watch = until(self.stop);
-        let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
-        let run = if wants_check { compared } else { single };
-        let mut outcome = run(&checked, self.cap, &mut watch);
-        if let Err(Refusal::StepAboveLimit { .. }) = outcome {
-            // Left out, the stiff eyes would be missing from the bands.
-            scenario.numerics.step_us = None;
-            let free = scenario.check().map_err(Refusal::Scenario);
-            outcome = free.and_then(|free| run(&free, self.cap, &mut watch));
-        }
-        let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
-        let outcome = outcome.map(|mut answer| {
-            if let Some(place) = curves {
-                let each = self.inputs.iter().zip(&drawn).map(|(input, v)| input.moves_curves(*v));
-                let moved = each.fold(PerInjury::default(), |sum: PerInjury<f64>, one| {
-                    std::array::from_fn(|i| sum[i] + one[i])
-                });
-                put_curves(&mut answer, &Blow::of(&scenario), drawn[place], &moved);
-            }
-            answer
-        });
-        match outcome {
-            Err(Refusal::Cancelled) => None,
-            other => Some(Sample { drawn, outcome: other.map_err(|refusal| name(&refusal)) }),
-        }
-    }
 }
 
 /// Called with the ensemble so far after each sample, on any thread; `Break` stops the rest.
 pub type OnSample<'a> = &'a (dyn Fn(&Ensemble) -> ControlFlow<()> + Sync);
 
+struct Job<'a> {
+    scenario: &'a CheckedScenario,
+    inputs: &'a [UncertainInput],
+    seed: u32,
+    cap: f64,
+    stop: &'a AtomicBool,
+}
+
 impl Job<'_> {
+    /// The scenario with sample number `index` in place of its nominal values.
+    fn drawn(&self, index: u32) -> (Scenario, Vec<f64>) {
+        let mut changed = Scenario::clone(self.scenario);
+        changed.doubt.clear();
+        let draw = |(dimension, input): (u32, &UncertainInput)| {
+            // The sequence has 23 bits; the middle of its cell is never 0 or 1.
+            let u =
+                f64::from(sobol_burley::sample(index, dimension, self.seed)) + 0.5 / 8_388_608.0;
+            let value = input.value(u);
+            input.put(&mut changed, value);
+            value
+        };
+        let values = (0..).zip(self.inputs).map(draw).collect();
+        (changed, values)
+    }
+
+    /// Reads a sample's risks again as if the curves lay `off` standard deviations away, and as
+    /// matched with the eye that was drawn.
+    fn put_curves(&self, answer: &mut BriefAnswer, blow: &Blow, off: f64, drawn: &[f64]) {
+        for injury in Injury::ALL {
+            let (measure, result) = (injury.measure(), injury.result());
+            // Of an eye that was missed it is 0 and stays so.
+            if let Some(value) = answer.values[measure]
+                && answer.values[result].is_some_and(|risk| risk > 0.0)
+            {
+                let each = self.inputs.iter().zip(drawn).map(|(input, v)| input.moves_curves(*v));
+                let moved = each.fold(0.0, |sum, one| sum + one[*injury as usize]);
+                let value = value / measure.row().factor * libm::pow(10.0, -moved);
+                let drawn = injury.risk_if(blow, value, off, (0.0, 0.0));
+                answer.values[result] = Some(drawn * result.row().factor);
+            }
+        }
+    }
+
+    /// Sample number `index`; nothing if it was stopped.
+    fn run(&self, index: u32) -> Option<Sample> {
+        let (mut scenario, drawn) = self.drawn(index);
+        let checked = match scenario.check() {
+            Ok(checked) => checked,
+            Err(error) => {
+                let field = error.problems.first().map_or("", |p| p.field.as_str());
+                return Some(Sample { drawn, outcome: Err(format!("{field} not allowed")) });
+            }
+        };
+        let mut watch = until(self.stop);
+        let wants_check = index < PILOT || index.is_multiple_of(CHECK_EVERY);
+        let run = if wants_check { compared } else { single };
+        let mut outcome = run(&checked, Some(self.cap), &mut watch);
+        if let Err(Refusal::StepAboveLimit { .. }) = outcome {
+            // Left out, the stiff eyes would be missing from the bands.
+            scenario.numerics.step_us = None;
+            let free = scenario.check().map_err(Refusal::Scenario);
+            outcome = free.and_then(|free| run(&free, Some(self.cap), &mut watch));
+        }
+        let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
+        if let (Ok(answer), Some(place)) = (&mut outcome, curves) {
+            self.put_curves(answer, &Blow::of(&scenario), drawn[place], &drawn);
+        }
+        let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal).to_owned());
+        Some(Sample { drawn, outcome })
+    }
+
     /// Adds the samples up to `to`; gives what single runs of the scenario took meanwhile, in s.
     fn gather(&self, to: u32, on_sample: OnSample, into: &mut Ensemble) -> Vec<f64> {
         let from = into.samples.len();
@@ -206,33 +185,25 @@ impl Job<'_> {
             let sample = self.run(index as u32)?;
             Some((sample, began.elapsed().as_secs_f64(), single))
         };
-        let deliver = |index: usize, (sample, took, single): (Sample, f64, Option<f64>)| {
-            debug_assert_eq!(index, into.samples.len());
+        ordered::run((from, to as usize), self.stop, job, |_, (sample, took, single)| {
             into.samples.push(sample);
             into.timing.cores += took;
             singles.extend(single);
             on_sample(into)
-        };
-        ordered::run((from, to as usize), self.stop, job, deliver);
+        });
         singles
     }
 }
 
-/// The longest step that the pilot allows, in s: a little below those at which its samples would
-/// just keep `promise`, in %, of the samples that did not keep it at their longest stable step.
-/// Where all did, none longer than they took. Infinite if all have folded.
+/// The longest step that the pilot allows, in s: a little below those at which the samples that
+/// missed `promise`, in %, would just keep it, or that any took. Infinite if all have folded.
 fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
-    let checks = || {
-        let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
-        points.filter(|p| !p.folded()).filter_map(|p| p.check)
-    };
-    let tried = checks().map(|check| check.tried).reduce(f64::max);
-    checks()
-        .filter(|check| check.first > promise)
-        .map(|check| check.good_step)
-        .reduce(f64::min)
-        .or(tried)
-        .map_or(f64::INFINITY, |step| HEADROOM * step)
+    let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
+    let checks = points.filter(|p| !p.folded()).filter_map(|p| p.check);
+    let tried = checks.clone().map(|check| check.tried).reduce(f64::max);
+    let missed = checks.filter(|check| check.first > promise);
+    let good = missed.map(|check| check.good_step).reduce(f64::min);
+    good.or(tried).map_or(f64::INFINITY, |step| HEADROOM * step)
 }
 
 /// Runs `count` samples of `scenario`, or those that `known`, of the same scenario and seed,
@@ -249,23 +220,16 @@ pub fn run(
 ) -> Result<Ensemble, Refusal> {
     let inputs = inputs(scenario);
     let began = Instant::now();
-    let mut job = Job {
-        scenario,
-        inputs: &inputs,
-        seed,
-        // Nothing is known yet: the pilot takes the longest stable steps.
-        cap: Some(f64::INFINITY),
-        stop,
-    };
+    // Nothing is known yet: the pilot takes the longest stable steps.
+    let mut job = Job { scenario, inputs: &inputs, seed, cap: f64::INFINITY, stop };
     let count = count.min(MAX_SAMPLES);
     let mut ensemble = match known {
         Some(known) => Ensemble { asked: count, ..known },
         None => Ensemble {
             inputs: inputs.clone(),
-            nominal: match single(scenario, None, &mut until(stop)) {
-                Err(Refusal::Cancelled) => None,
-                other => Some(other?.values),
-            },
+            nominal: unstopped(single(scenario, None, &mut until(stop)))
+                .transpose()?
+                .map(|answer| answer.values),
             samples: Vec::new(),
             asked: count,
             seed,
@@ -278,9 +242,8 @@ pub fn run(
     let pilot = count.min(PILOT);
     let mut singles = job.gather(pilot, on_sample, &mut ensemble);
     let first = ensemble.samples.len().min(pilot as usize);
-    let cap = longest_step(&ensemble.samples[..first], ensemble.promise);
-    job.cap = Some(cap);
-    ensemble.cap = Some(cap).filter(|cap| cap.is_finite());
+    job.cap = longest_step(&ensemble.samples[..first], ensemble.promise);
+    ensemble.cap = Some(job.cap).filter(|cap| cap.is_finite());
     if first == pilot as usize {
         singles.extend(job.gather(count, on_sample, &mut ensemble));
     }
@@ -302,56 +265,44 @@ mod tests {
         scenario
     }
 
-    fn proceed(_: &Ensemble) -> ControlFlow<()> {
-        ControlFlow::Continue(())
+    /// The same with all that is published held to be known, but for one input.
+    fn sure(but: &str) -> Scenario {
+        let mut sure = quick();
+        let published = inputs(&quick()).into_iter().filter(|input| input.source.is_some());
+        let known = published.map(|input| input.field.path).filter(|path| *path != but);
+        sure.doubt.extend(known.map(|path| (path.to_owned(), 0.0)));
+        sure
+    }
+
+    /// Runs it, or what `known` lacks, until there are `most` samples.
+    fn part(scenario: &Scenario, of: (u32, u32), known: Option<Ensemble>, most: usize) -> Ensemble {
+        let early = |so_far: &Ensemble| stop_if(so_far.samples.len() >= most);
+        run(&scenario.check().unwrap(), of, known, &AtomicBool::new(false), &early).unwrap()
     }
 
     fn ensemble(scenario: &Scenario, count: u32, seed: u32) -> Ensemble {
-        run(&scenario.check().unwrap(), (count, seed), None, &AtomicBool::new(false), &proceed)
-            .unwrap()
-    }
-
-    #[test]
-    fn any_number_of_threads_gives_the_same_bits() {
-        let on = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-            let pool = pool.build().unwrap();
-            pool.install(|| ensemble(&quick(), 70, 3))
-        };
-        let one = on(1);
-        assert_eq!(one.samples.len(), 70);
-        for other in [on(2), on(3)] {
-            assert_eq!(one.samples, other.samples);
-            assert_eq!(one.cap, other.cap);
-        }
+        part(scenario, (count, seed), None, usize::MAX)
     }
 
     #[test]
     fn a_stopped_one_is_a_smaller_one_and_goes_on_to_the_whole() {
         let whole = ensemble(&quick(), 40, 1);
-        let scenario = quick().check().unwrap();
         for most in [3, 8, 16] {
-            let early = |so_far: &Ensemble| stop_if(so_far.samples.len() >= most);
-            let stop = AtomicBool::new(false);
-            let part = run(&scenario, (40, 1), None, &stop, &early).unwrap();
-            assert!(part.stopped() && !whole.stopped());
-            assert_eq!(part.samples, whole.samples[..most]);
-            let stop = AtomicBool::new(false);
-            let rest = run(&scenario, (40, 1), Some(part), &stop, &proceed).unwrap();
+            let early = part(&quick(), (40, 1), None, most);
+            assert!(early.stopped() && !whole.stopped());
+            assert_eq!(early.samples, whole.samples[..most]);
+            let rest = part(&quick(), (40, 1), Some(early), usize::MAX);
             assert_eq!((rest.samples, rest.cap), (whole.samples.clone(), whole.cap));
         }
     }
 
     #[test]
     fn seeds_differ_and_what_is_known_for_sure_has_no_band() {
-        let mut sure = quick();
-        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
-            sure.doubt.insert(input.field.path.to_owned(), 0.0);
-        }
+        let mut sure = sure("");
         let first = ensemble(&sure, 8, 1);
         assert_eq!(first.inputs.len(), 1);
-        let (a, b) = (ensemble(&sure, 8, 2), first.band(Quantity::Damage).unwrap());
-        assert_ne!(first.samples, a.samples);
+        let b = first.band(Quantity::Damage).unwrap();
+        assert_ne!(first.samples, ensemble(&sure, 8, 2).samples);
         assert!(b.low < b.median && b.median < b.high);
         assert!(first.drivers(Quantity::Damage)[0].1 > 0.99, "more force, more damage");
         sure.doubt.insert("impact.force_n".to_owned(), 0.0);
@@ -361,25 +312,17 @@ mod tests {
 
     #[test]
     fn a_result_outside_its_band_is_found_with_the_input_at_an_end_of_its_spread() {
-        let mut fat = quick();
-        fat.doubt.clear();
-        for input in inputs(&quick()).iter().filter(|i| i.source.is_some()) {
-            assert_eq!(
-                input.stands_at_an_end(),
-                ["eye.fat_kpa", "eye.lens_kpa"].contains(&input.field.path)
-            );
-            if input.field.path != "eye.fat_kpa" {
-                fat.doubt.insert(input.field.path.to_owned(), 0.0);
-            }
-        }
+        let inputs = inputs(&quick());
+        let ends = inputs.iter().filter(|i| i.source.is_some() && i.stands_at_an_end());
+        let ends: Vec<&str> = ends.map(|input| input.field.path).collect();
+        assert_eq!(ends, ["eye.lens_kpa", "eye.fat_kpa"]);
+        let mut fat = sure("eye.fat_kpa");
+        fat.doubt.insert("impact.force_n".to_owned(), 0.0);
         // Soft fat lets the eye go farther than the paper's own, which stands at the stiff end.
         let soft = ensemble(&fat, 32, 1);
         let apart = |of| soft.outside(of).map(|why| why.map(|input| input.field.path));
         assert_eq!(apart(Quantity::Energy), Some(Some("eye.fat_kpa")));
-        let mut sure = fat;
-        sure.doubt.insert("eye.fat_kpa".to_owned(), 0.0);
-        sure.doubt.insert("impact.force_n".to_owned(), 20.0);
-        let mut forced = ensemble(&sure, 32, 1);
+        let mut forced = ensemble(&sure(""), 32, 1);
         assert!(forced.outside(Quantity::Energy).is_none());
         forced.nominal.as_mut().unwrap()[Quantity::Energy] = Some(1e3);
         let why = forced.outside(Quantity::Energy);
@@ -388,14 +331,11 @@ mod tests {
 
     #[test]
     fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
-        let sample = |first, tried, good_step| Sample {
-            drawn: Vec::new(),
-            outcome: Ok(BriefAnswer {
-                ranges: None,
-                values: Results::from_fn(|_| None),
-                flags: Vec::new(),
-                check: Some(Check { first, tried, last: 0.01, good_step }),
-            }),
+        let sample = |first, tried, good_step| {
+            let check = Some(Check { first, tried, last: 0.01, good_step });
+            let (values, flags) = (Results::from_fn(|_| None), Vec::new());
+            let answer = BriefAnswer { values, flags, check, ranges: None };
+            Sample { drawn: Vec::new(), outcome: Ok(answer) }
         };
         let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
         let mixed = longest_step(&[stiff.clone(), soft], 0.1);
@@ -407,12 +347,12 @@ mod tests {
 
     #[test]
     fn drawn_scenes_keep_the_rest_and_every_input_moves() {
-        let scenario = quick();
-        let inputs = inputs(&scenario);
-        let (one, drawn_one) = drawn(&scenario, &inputs, 0, 1);
-        let (_, drawn_two) = drawn(&scenario, &inputs, 1, 1);
+        let (scenario, inputs) = (quick().check().unwrap(), inputs(&quick()));
+        let stop = &AtomicBool::new(false);
+        let job = Job { scenario: &scenario, inputs: &inputs, seed: 1, cap: f64::INFINITY, stop };
+        let (one, drawn) = job.drawn(0);
         assert_eq!(one.window_ms, scenario.window_ms);
-        assert!(drawn_one.iter().zip(&drawn_two).all(|(a, b)| a != b));
+        assert!(drawn.iter().zip(job.drawn(1).1).all(|(a, b)| *a != b));
     }
 
     #[test]

@@ -9,10 +9,11 @@
 
 use crate::answer::{brief::single, results::Results};
 use crate::many::sweep::spaced;
-use crate::run::ordered::{self, until};
-use crate::run::{quantity::Quantity, refusal::Refusal};
-use crate::scenario::fields::Field;
-use crate::scenario::{Scenario, set};
+use crate::run::{
+    ordered, ordered::until, quantity::Quantity, refusal::Refusal, refusal::unstopped,
+};
+use crate::scenario::{Scenario, fields::Field, set};
+use std::cmp::Reverse;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
@@ -56,10 +57,8 @@ pub enum Spot {
 impl Spot {
     /// A result in its unit, if there is one.
     pub fn value(&self, quantity: Quantity) -> Option<f64> {
-        match self {
-            Self::Known(results) | Self::Folded(results) => results[quantity],
-            Self::Refused => None,
-        }
+        let (Self::Known(results) | Self::Folded(results)) = self else { return None };
+        results[quantity]
     }
 
     /// Whether the mesh folded.
@@ -93,11 +92,6 @@ impl Grid {
         Self { side, spots: vec![None; side * side] }
     }
 
-    /// Points a side.
-    pub fn side(&self) -> usize {
-        self.side
-    }
-
     /// The state of a point; none until it was simulated.
     pub fn at(&self, (x, y): (usize, usize)) -> Option<&Spot> {
         self.spots[y * self.side + x].as_ref()
@@ -110,44 +104,30 @@ impl Grid {
 
     /// Points that are known, and all.
     pub fn known(&self) -> (usize, usize) {
-        let known = self.spots.iter().filter(|spot| spot.is_some());
-        (known.count(), self.spots.len())
+        (self.spots.iter().flatten().count(), self.spots.len())
     }
 
     /// The points, from coarse to fine.
     pub fn order(&self) -> Vec<(usize, usize)> {
-        let mut every = self.side - 1;
-        let mut order = Vec::with_capacity(self.spots.len());
-        let on = |at: usize, every: usize| at.is_multiple_of(every);
-        while every > 0 {
-            let coarser = 2 * every;
-            for y in (0..self.side).step_by(every) {
-                for x in (0..self.side).step_by(every) {
-                    let first = every == self.side - 1;
-                    if first || !(on(x, coarser) && on(y, coarser)) {
-                        order.push((x, y));
-                    }
-                }
-            }
-            every /= 2;
-        }
+        let rows = (0..self.side).flat_map(|y| (0..self.side).map(move |x| (x, y)));
+        let mut order: Vec<_> = rows.collect();
+        // A point lies on the grids of all widths, powers of 2, that divide both its numbers.
+        order.sort_by_key(|(x, y)| Reverse((x | y).trailing_zeros()));
         order
     }
 
     /// The largest of a result over all points, in its unit; none where no point has it.
     pub fn largest(&self, quantity: Quantity) -> Option<f64> {
-        let values = self.spots.iter().flatten();
-        values.filter_map(|spot| spot.value(quantity)).reduce(f64::max)
+        self.spots.iter().flatten().filter_map(|spot| spot.value(quantity)).reduce(f64::max)
     }
 
     /// A result at a place, both from 0 to 1; nothing where too little is known to say anything.
     pub fn read(&self, quantity: Quantity, (x, y): (f64, f64)) -> Option<MapReading> {
         let last = (self.side - 1) as f64;
         let (x, y) = (x.clamp(0.0, 1.0) * last, y.clamp(0.0, 1.0) * last);
-        let mut every = 1;
-        while every < self.side {
-            // The cell of that width round the place: its lower corner, and the share on from
-            // there.
+        let widths = std::iter::successors(Some(1), |width| Some(2 * width));
+        for every in widths.take_while(|width| *width < self.side) {
+            // The cell of that width round the place: its lower corner, and the share from there.
             let place = |at: f64| {
                 let cell =
                     ((at / every as f64).floor() as usize * every).min(self.side - 1 - every);
@@ -156,77 +136,54 @@ impl Grid {
             let ((i, u), (j, v)) = (place(x), place(y));
             let near = |share: f64| if share < 0.5 { 0 } else { every };
             let here = self.at((i + near(u), j + near(v)));
+            let folded = here.is_some_and(Spot::folded);
             let is_point = |share: f64| share == 0.0 || share == 1.0;
             if let Some(spot) = here.filter(|_| is_point(u) && is_point(v)) {
-                return Some(MapReading {
-                    value: spot.value(quantity),
-                    folded: spot.folded(),
-                    exact: true,
-                });
+                return Some(MapReading { value: spot.value(quantity), folded, exact: true });
             }
-            let corner = |a: usize, b: usize| self.at((i + a, j + b));
-            let corners =
-                [(0, 0), (every, 0), (0, every), (every, every)].map(|(a, b)| corner(a, b));
-            if let [Some(a), Some(b), Some(c), Some(d)] = corners {
+            let corners = [(0, 0), (every, 0), (0, every), (every, every)];
+            if let [Some(a), Some(b), Some(c), Some(d)] =
+                corners.map(|(a, b)| self.at((i + a, j + b)))
+            {
                 let value = || {
                     let low = a.value(quantity)? * (1.0 - u) + b.value(quantity)? * u;
                     let high = c.value(quantity)? * (1.0 - u) + d.value(quantity)? * u;
                     Some(low * (1.0 - v) + high * v)
                 };
-                return Some(MapReading {
-                    value: value(),
-                    folded: here.is_some_and(Spot::folded),
-                    exact: false,
-                });
+                return Some(MapReading { value: value(), folded, exact: false });
             }
-            every *= 2;
         }
         None
     }
 }
 
-/// The scenario at a point of a grid of `side` points a side.
-pub fn scenario_at(
-    scenario: &Scenario,
-    (x, y): (Span, Span),
-    (i, j): (usize, usize),
-    side: usize,
-) -> Scenario {
-    let mut changed = scenario.clone();
-    for (span, at) in [(x, i), (y, j)] {
-        let value = spaced(span.from, span.to, side)[at];
-        set::put_number(&mut changed, span.field, value);
-    }
-    changed
-}
-
-fn spot(scenario: &Scenario, stop: &AtomicBool) -> Option<Spot> {
-    let Ok(scenario) = scenario.check() else {
-        return Some(Spot::Refused);
-    };
-    match single(&scenario, None, &mut until(stop)) {
-        Ok(point) if point.folded() => Some(Spot::Folded(point.values)),
-        Ok(point) => Some(Spot::Known(point.values)),
-        Err(Refusal::Cancelled) => None,
-        Err(_) => Some(Spot::Refused),
-    }
-}
-
-/// Called with the grid so far after each point, on any thread; `Break` stops the rest.
-pub type OnPoint<'a> = &'a (dyn Fn(&Grid) -> ControlFlow<()> + Sync);
-
-/// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has.
+/// Fills in what the grid lacks, from coarse to fine; what is stopped gives what it has. `on_point`
+/// is called with the grid so far after each point, on any thread; `Break` stops the rest.
 pub fn fill(
     scenario: &Scenario,
     spans: (Span, Span),
     mut grid: Grid,
     stop: &AtomicBool,
-    on_point: OnPoint,
+    on_point: &(dyn Fn(&Grid) -> ControlFlow<()> + Sync),
 ) -> Grid {
     let mut lacking = grid.order();
     lacking.retain(|at| grid.at(*at).is_none());
     let side = grid.side;
-    let job = |index: usize| spot(&scenario_at(scenario, spans, lacking[index], side), stop);
+    let job = |index: usize| {
+        let (i, j) = lacking[index];
+        let mut scenario = scenario.clone();
+        for (span, at) in [(spans.0, i), (spans.1, j)] {
+            let value = spaced(span.from, span.to, side)[at];
+            set::put_number(&mut scenario, span.field, value);
+        }
+        let checked = scenario.check().map_err(Refusal::from);
+        let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
+        Some(match unstopped(run)? {
+            Ok(point) if point.folded() => Spot::Folded(point.values),
+            Ok(point) => Spot::Known(point.values),
+            Err(_) => Spot::Refused,
+        })
+    };
     ordered::run((0, lacking.len()), stop, job, |index, spot| {
         grid.put(lacking[index], spot);
         on_point(&grid)
@@ -237,7 +194,9 @@ pub fn fill(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::watch::stop_if;
     use crate::scenario::fields::find;
+    use std::collections::BTreeSet;
 
     fn spans() -> (Span, Span) {
         let span = |path, from, to| Span { field: find(path).unwrap(), from, to };
@@ -252,21 +211,16 @@ mod tests {
             // Nothing is said of a place before its corners are known.
             let (known, _) = grid.known();
             assert_eq!(grid.read(of, (0.3, 0.3)).is_some(), known >= 4);
-            if known == 9 {
-                return ControlFlow::Break(());
-            }
-            ControlFlow::Continue(())
+            stop_if(known == 9)
         };
         let part = fill(&scenario, spans(), Grid::new(5), &AtomicBool::new(false), &coarse);
         assert_eq!(part.known(), (9, 25));
         let proceed = |_: &Grid| ControlFlow::Continue(());
-        let fresh = || AtomicBool::new(false);
-        let whole = fill(&scenario, spans(), part.clone(), &fresh(), &proceed);
-        assert_eq!(whole, fill(&scenario, spans(), Grid::new(5), &fresh(), &proceed));
+        let filled = |grid| fill(&scenario, spans(), grid, &AtomicBool::new(false), &proceed);
+        let whole = filled(part.clone());
+        assert_eq!(whole, filled(Grid::new(5)));
         assert_eq!(whole.known(), (25, 25));
-        for at in part.order().into_iter().take(9) {
-            assert_eq!(part.at(at), whole.at(at));
-        }
+        assert!(part.order()[..9].iter().all(|at| part.at(*at) == whole.at(*at)));
         assert_eq!(whole.at((0, 4)), Some(&Spot::Refused), "60 deg lies behind bone");
         for of in [Quantity::Damage, Quantity::ForceFront] {
             let value = |x| whole.at((x, 0)).unwrap().value(of).unwrap();
@@ -284,11 +238,8 @@ mod tests {
     fn the_order_has_every_point_once_and_the_coarsest_first() {
         let grid = Grid::new(SIDE);
         let order = grid.order();
-        let mut sorted = order.clone();
-        sorted.sort_unstable();
-        sorted.dedup();
-        assert_eq!(sorted.len(), SIDE * SIDE);
-        assert_eq!(order.len(), SIDE * SIDE);
+        let points: BTreeSet<_> = order.iter().collect();
+        assert_eq!((points.len(), order.len()), (SIDE * SIDE, SIDE * SIDE));
         assert!(order[..25].iter().all(|(x, y)| x % 8 == 0 && y % 8 == 0));
     }
 }

@@ -5,7 +5,7 @@ pub mod bands;
 pub mod comparison;
 pub mod ensemble;
 pub mod map;
-pub mod root;
+mod root;
 pub mod statistics;
 pub mod sweep;
 pub mod threshold;

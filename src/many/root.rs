@@ -10,17 +10,14 @@
 /// Weight of the move towards the middle, over the first bracket; its power is 2.
 const MOVE: f64 = 0.2;
 
-/// A bracket with the values at its ends.
+/// The ends of a bracket, each with the value there, whose signs differ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bracket {
-    /// The lower end and the value there.
     pub low: (f64, f64),
-    /// The upper end and the value there, of the other sign.
     pub high: (f64, f64),
 }
 
 impl Bracket {
-    /// The middle.
     pub fn middle(&self) -> f64 {
         0.5 * (self.low.0 + self.high.0)
     }
@@ -33,11 +30,7 @@ impl Bracket {
     }
 }
 
-/// Narrows a bracket of a root of `value` to `width`; a value of exactly zero counts as above
-/// zero.
-///
-/// # Errors
-/// The first that `value` gives.
+/// Narrows a bracket of a root of `value` to `width`; exactly zero counts as above zero.
 pub fn narrowed<E>(
     bracket: Bracket,
     width: f64,

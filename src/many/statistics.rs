@@ -29,13 +29,11 @@ fn ranks(of: &[f64]) -> Vec<f64> {
     order.sort_by(|&a, &b| of[a].total_cmp(&of[b]));
     let mut ranks = vec![0.0; of.len()];
     let mut from = 0;
-    while from < order.len() {
-        let same = order[from..].iter().take_while(|&&i| of[i] == of[order[from]]);
-        let to = from + same.count().max(1);
-        for &i in &order[from..to] {
-            ranks[i] = 0.5 * (from + to - 1) as f64;
+    for same in order.chunk_by(|&a, &b| of[a] == of[b]) {
+        for &i in same {
+            ranks[i] = 0.5 * (2 * from + same.len() - 1) as f64;
         }
-        from = to;
+        from += same.len();
     }
     ranks
 }
@@ -44,13 +42,9 @@ fn ranks(of: &[f64]) -> Vec<f64> {
 pub fn rank_correlation(x: &[f64], y: &[f64]) -> f64 {
     let (x, y) = (ranks(x), ranks(y));
     let middle = 0.5 * (x.len() as f64 - 1.0);
-    let (mut xy, mut xx, mut yy) = (0.0, 0.0, 0.0);
-    for (a, b) in x.iter().zip(&y) {
-        let (a, b) = (a - middle, b - middle);
-        xy += a * b;
-        xx += a * a;
-        yy += b * b;
-    }
+    let product = |(a, b): (&f64, &f64)| (a - middle) * (b - middle);
+    let of = |x: &[f64], y: &[f64]| x.iter().zip(y).map(product).sum::<f64>();
+    let (xy, xx, yy) = (of(&x, &y), of(&x, &x), of(&y, &y));
     if xx > 0.0 && yy > 0.0 { xy / (xx * yy).sqrt() } else { 0.0 }
 }
 
@@ -61,10 +55,8 @@ mod tests {
     #[test]
     fn quantiles_interpolate() {
         let of = [1.0, 2.0, 4.0, 8.0, 16.0];
-        assert_eq!(quantile(&of, 0.0), Some(1.0));
-        assert_eq!(quantile(&of, 0.5), Some(4.0));
-        assert_eq!(quantile(&of, 1.0), Some(16.0));
-        assert_eq!(quantile(&of, 0.875), Some(12.0));
+        let at = [0.0, 0.5, 0.875, 1.0].map(|p| quantile(&of, p));
+        assert_eq!(at, [1.0, 4.0, 12.0, 16.0].map(Some));
         assert_eq!(quantile(&[], 0.5), None);
         assert_eq!(median(vec![9.0, 1.0, 4.0, 2.0]), Some(3.0));
         assert_eq!(median(vec![f64::INFINITY; 2]), Some(f64::INFINITY));

@@ -6,10 +6,9 @@
 
 use crate::scenario::{Curve, ForcePulse, PulseShape};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// The part of a pulse between two breaks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Piece {
     /// Rising edge.
     Rise,
@@ -19,8 +18,8 @@ pub enum Piece {
     Fall,
     /// Half a sine.
     Arch,
-    /// A straight line of a table, by its number.
-    Line(usize),
+    /// A straight line of a table: start and end, in s, and the shares of the force there.
+    Line([f64; 2], [f64; 2]),
     /// After the pulse.
     Nothing,
 }
@@ -43,64 +42,26 @@ pub struct Pulse {
     force: f64,
     duration: f64,
     shape: PulseShape,
-    /// The straight lines of a table, from time 0 on without gaps; none of another shape.
-    lines: Arc<[Line]>,
 }
 
-/// A straight line from knot to knot, times in s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Line {
-    start: f64,
-    end: f64,
-    /// Shares at both ends.
-    shares: (f64, f64),
-}
-
-impl Line {
-    fn share(&self, t: f64) -> f64 {
-        let along = (t - self.start) / (self.end - self.start);
-        self.shares.0 + (self.shares.1 - self.shares.0) * along
-    }
-
-    fn integral(&self) -> f64 {
-        0.5 * (self.shares.0 + self.shares.1) * (self.end - self.start)
-    }
-}
-
-/// The lines of a curve whose last knot falls at `duration` s. Before the first knot nothing acts.
-fn lines(curve: &Curve, duration: f64) -> Arc<[Line]> {
+/// The lines of a curve whose last knot falls at `duration` s, each with its end, from time 0 on
+/// without gaps. Before the first knot nothing acts.
+fn lines(curve: &Curve, duration: f64) -> Vec<(f64, Piece)> {
     let seconds = |ms: f64| ms / curve.last_ms() * duration;
     let knots = curve.knots();
     let wait = (knots[0].0 > 0.0).then_some([(0.0, 0.0), (knots[0].0, 0.0)]);
     let pairs = knots.windows(2).map(|pair| [pair[0], pair[1]]);
-    wait.into_iter()
-        .chain(pairs)
-        .map(|[(start, first), (end, last)]| Line {
-            start: seconds(start),
-            end: seconds(end),
-            shares: (first, last),
-        })
-        .collect()
+    let line = |[(start, first), (end, last)]: [(f64, f64); 2]| {
+        (seconds(end), Piece::Line([seconds(start), seconds(end)], [first, last]))
+    };
+    wait.into_iter().chain(pairs).map(line).collect()
 }
 
 impl Pulse {
     /// The pulse of a scenario, in SI units.
     pub fn new(input: &ForcePulse) -> Self {
         let duration = input.duration_ms * 1e-3;
-        Self {
-            force: input.force_n,
-            duration,
-            shape: input.shape.clone(),
-            lines: match &input.shape {
-                PulseShape::Table(curve) => lines(curve, duration),
-                _ => Arc::default(),
-            },
-        }
-    }
-
-    /// No force at any time, where something else acts.
-    pub fn none() -> Self {
-        Self { force: 0.0, duration: 0.0, shape: PulseShape::HalfSine, lines: Arc::default() }
+        Self { force: input.force_n, duration, shape: input.shape.clone() }
     }
 
     /// Time from the start of the blow to the last force, in s.
@@ -119,12 +80,9 @@ impl Pulse {
     pub fn segments(&self, window: f64) -> Vec<Segment> {
         let edge = self.edge();
         let t = self.duration;
-        let pieces = match self.shape {
+        let pieces = match &self.shape {
             PulseShape::HalfSine => vec![(t, Piece::Arch)],
-            PulseShape::Table(_) => {
-                let numbered = self.lines.iter().enumerate();
-                numbered.map(|(i, line)| (line.end, Piece::Line(i))).collect()
-            }
+            PulseShape::Table(curve) => lines(curve, t),
             _ => vec![(edge, Piece::Rise), (t - edge, Piece::Plateau), (t, Piece::Fall)],
         };
         let mut start = 0.0;
@@ -152,22 +110,11 @@ impl Pulse {
                 Piece::Plateau => 1.0,
                 Piece::Fall => raised((self.duration - t) / self.edge()),
                 Piece::Arch => libm::sin(PI * t / self.duration),
-                Piece::Line(i) => self.lines[i].share(t),
+                Piece::Line([start, end], [first, last]) => {
+                    first + (last - first) * ((t - start) / (end - start))
+                }
                 Piece::Nothing => 0.0,
             }
-    }
-
-    /// Integral of the force over the whole pulse, in N s.
-    pub fn impulse(&self) -> f64 {
-        let even = match self.shape {
-            PulseShape::SmoothRectangle { edge_fraction } => 1.0 - edge_fraction,
-            PulseShape::Triangle => 0.5,
-            PulseShape::HalfSine => 2.0 / PI,
-            PulseShape::Table(_) => {
-                return self.force * self.lines.iter().map(Line::integral).sum::<f64>();
-            }
-        };
-        self.force * self.duration * even
     }
 }
 
@@ -183,48 +130,42 @@ mod tests {
         PulseShape::Table(Curve::new(knots.iter().copied()).unwrap())
     }
 
-    fn shapes() -> [PulseShape; 7] {
+    /// Shapes, and the mean share of the force over the duration of each.
+    fn shapes() -> [(PulseShape, f64); 7] {
         [
-            PulseShape::SmoothRectangle { edge_fraction: 0.1 },
-            PulseShape::SmoothRectangle { edge_fraction: 0.0 },
-            PulseShape::SmoothRectangle { edge_fraction: 0.5 },
-            PulseShape::Triangle,
-            PulseShape::HalfSine,
-            table(&[(0.0, 0.5), (0.01, 1.0), (0.07, -0.2), (0.2, 0.1)]),
-            table(&[(0.05, 0.5), (0.0501, 1.0), (0.4, 0.0)]),
+            (PulseShape::SmoothRectangle { edge_fraction: 0.1 }, 0.9),
+            (PulseShape::SmoothRectangle { edge_fraction: 0.0 }, 1.0),
+            (PulseShape::SmoothRectangle { edge_fraction: 0.5 }, 0.5),
+            (PulseShape::Triangle, 0.5),
+            (PulseShape::HalfSine, 2.0 / PI),
+            (table(&[(0.0, 0.5), (0.01, 1.0), (0.07, -0.2), (0.2, 0.1)]), 0.125),
+            (table(&[(0.05, 0.5), (0.0501, 1.0), (0.4, 0.0)]), 0.437_562_5),
         ]
     }
 
     #[test]
     fn segments_cover_the_window_without_gaps() {
-        for shape in shapes() {
+        for (shape, _) in shapes() {
             for window in [1e-4, 2e-4, 3e-3] {
                 let segments = pulse(shape.clone()).segments(window);
                 assert_eq!(segments[0].start, 0.0);
                 assert!((segments.last().unwrap().end - window).abs() < 1e-18);
-                for pair in segments.windows(2) {
-                    assert_eq!(pair[0].end, pair[1].start);
-                }
+                assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].start));
             }
         }
     }
 
     #[test]
-    fn the_impulse_is_the_integral_of_the_force() {
-        for shape in shapes() {
+    fn the_force_adds_up_to_the_impulse() {
+        for (shape, mean) in shapes() {
             let pulse = pulse(shape.clone());
-            let sum: f64 = pulse
-                .segments(3e-4)
-                .iter()
-                .map(|s| {
-                    let n = 20_000;
-                    let h = (s.end - s.start) / f64::from(n);
-                    (0..n)
-                        .map(|i| h * pulse.force(s.piece, s.start + (f64::from(i) + 0.5) * h))
-                        .sum::<f64>()
-                })
-                .sum();
-            assert!((sum / pulse.impulse() - 1.0).abs() < 1e-8, "{shape:?}");
+            let sum = |s: &Segment| {
+                let h = (s.end - s.start) / 20_000.0;
+                let middles = (0..20_000).map(|i| s.start + (f64::from(i) + 0.5) * h);
+                middles.map(|t| h * pulse.force(s.piece, t)).sum::<f64>()
+            };
+            let impulse: f64 = pulse.segments(3e-4).iter().map(sum).sum();
+            assert!((impulse / (100.0 * 0.2e-3 * mean) - 1.0).abs() < 1e-8, "{shape:?}");
         }
     }
 
@@ -237,22 +178,18 @@ mod tests {
 
     #[test]
     fn a_table_of_a_simple_shape_is_that_shape() {
-        let same = |table: PulseShape, shape: PulseShape, times: &[f64]| {
+        let rectangle = PulseShape::SmoothRectangle { edge_fraction: 0.0 };
+        for (table, shape) in [
+            (table(&[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)]), PulseShape::Triangle),
+            (table(&[(0.0, 1.0), (0.2, 1.0)]), rectangle),
+        ] {
             let (table, shape) = (pulse(table), pulse(shape));
-            assert!((table.impulse() / shape.impulse() - 1.0).abs() < 1e-15);
-            for &t in times {
+            for t in (0..40).map(|i| f64::from(i) * 0.71e-5) {
                 let (a, b) = (force_at(&table, t), force_at(&shape, t));
                 assert!((a[0] - b[0]).abs() < 1e-11, "{t}: {a:?} {b:?}");
                 assert!((a[a.len() - 1] - b[b.len() - 1]).abs() < 1e-11, "{t}: {a:?} {b:?}");
             }
-        };
-        let times: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.71e-5).collect();
-        same(table(&[(0.0, 0.0), (0.1, 1.0), (0.2, 0.0)]), PulseShape::Triangle, &times);
-        same(
-            table(&[(0.0, 1.0), (0.2, 1.0)]),
-            PulseShape::SmoothRectangle { edge_fraction: 0.0 },
-            &times,
-        );
+        }
     }
 
     #[test]
@@ -262,20 +199,14 @@ mod tests {
         assert_eq!(force_at(&pulse, 0.05e-3), [0.0, 50.0]);
         assert_eq!(force_at(&pulse, 0.1e-3), [-100.0, -100.0]);
         assert_eq!(force_at(&pulse, 0.2e-3), [25.0, 0.0]);
-        let impulse = 100.0 * 0.5 * (-0.5 * 0.05e-3 - 0.75 * 0.1e-3);
-        assert!((pulse.impulse() - impulse).abs() < 1e-18);
     }
 
     #[test]
-    fn a_duration_stretches_a_table_and_its_impulse() {
-        let knots = [(0.02, 0.5), (0.05, 1.0), (0.1, 0.0)];
+    fn a_duration_stretches_a_table() {
         let mut input = ForcePulse { force_n: 100.0, ..ForcePulse::default() };
-        input.follow(Curve::new(knots).unwrap());
-        let own = Pulse::new(&input);
-        assert_eq!(own.duration(), 0.1e-3);
+        input.follow(Curve::new([(0.02, 0.5), (0.05, 1.0), (0.1, 0.0)]).unwrap());
+        assert_eq!(Pulse::new(&input).duration(), 0.1e-3);
         input.duration_ms *= 3.0;
-        let long = Pulse::new(&input);
-        assert!((long.impulse() / own.impulse() - 3.0).abs() < 1e-14);
-        assert!((force_at(&long, 0.15e-3)[0] - 100.0).abs() < 1e-10);
+        assert!((force_at(&Pulse::new(&input), 0.15e-3)[0] - 100.0).abs() < 1e-10);
     }
 }

@@ -1,19 +1,16 @@
 //! How often what is claimed holds, as text of 80 columns and as one JSON object.
 
 use crate::answer::mesh_error::witnesses;
-use crate::report::format::{block, significant};
+use crate::report::format::{block, or_dash, percent, significant};
 use crate::verify::claims::{Claim, Coverage, Fault, Findings, Study, Subject};
 use crate::verify::scenes::Scenes;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// An error in percent with two digits, however small.
-fn error(percent: f64) -> String {
-    if percent == 0.0 || (1e-3..1e3).contains(&percent) {
-        crate::report::format::percent(percent)
-    } else {
-        format!("{percent:.1e} %")
-    }
+fn error(value: f64) -> String {
+    let plain = value == 0.0 || (1e-3..1e3).contains(&value);
+    if plain { percent(value) } else { format!("{value:.1e} %") }
 }
 
 fn label(subject: Subject) -> String {
@@ -33,63 +30,54 @@ fn scenes(study: Study) -> &'static str {
 
 /// What was checked, in which scenes, against what.
 fn heading(found: &Findings) -> String {
-    let Findings { study, seed, .. } = found;
-    let folded = found.folded().len();
+    let (study, folded) = (found.study, found.folded().len());
+    let (all, kind, seed) = (found.scenes.len(), scenes(study), found.seed);
     let reference = study.reference_level();
     let why = match study.scenes() {
         Scenes::Pulses => "as a mesh folded",
         _ => "as a mesh folded or the object went through",
     };
-    let of = |count: usize| format!("{count} {} of seed {seed}", scenes(*study));
-    let promising = of(found.scenes.len() - folded);
-    let passed_over = |level: u32| {
-        let [coarser, finer] = witnesses(&study.scenes().scene(0, *seed), level);
-        let mut levels = vec![level, coarser, finer];
-        levels.dedup();
-        let levels: Vec<String> = levels.iter().map(u32::to_string).collect();
-        format!("{} or {reference}, {why}: {folded}", levels.join(", "))
+    let (what, level) = match study {
+        Study::Steps(scenes) => {
+            let fineness = scenes.fineness();
+            return format!(
+                "Stated step errors of {all} {kind} of seed {seed}, each against a reference that \
+                 takes {fineness} times as many steps. Promised nothing, {why}: {folded}."
+            );
+        }
+        Study::Meshes(_, level) => (format!("Stated mesh errors at level {level} of"), level),
+        Study::Tolerances => ("Answers of --tolerance P in".to_owned(), 1),
     };
-    match study {
-        Study::Steps(scenes) => format!(
-            "Stated step errors of {}, each against a reference that takes {} times as many steps. \
-             Promised nothing, {why}: {folded}.",
-            of(found.scenes.len()),
-            scenes.fineness()
-        ),
-        Study::Meshes(_, level) => format!(
-            "Stated mesh errors at level {level} of {promising}, each against level {reference}. \
-             Passed over at level {}.",
-            passed_over(*level)
-        ),
-        Study::Tolerances => format!(
-            "Answers of --tolerance P in {promising}, each against level {reference}. \
-             Passed over at level {}.",
-            passed_over(1)
-        ),
-    }
+    let [coarser, finer] = witnesses(&study.scenes().scene(0, seed), level);
+    let mut levels = vec![level, coarser, finer];
+    levels.dedup();
+    let levels: Vec<String> = levels.iter().map(u32::to_string).collect();
+    format!(
+        "{what} {} {kind} of seed {seed}, each against level {reference}. Passed over at level {} \
+         or {reference}, {why}: {folded}.",
+        all - folded,
+        levels.join(", ")
+    )
 }
 
 /// How many scenes have a fault, and of how many nothing said so.
 fn faults(found: &Findings) -> String {
-    let count = |fault| found.count(fault);
-    format!(
-        "Folded and flagged: {}; a finer step folds, unflagged: {}. Went through: {}. No finite \
-         motion, refused: {}. A result that is no number: {}. Energies off by more than half a \
-         percent, unflagged: {}.",
-        count(Fault::Folded),
-        count(Fault::FoldedUnflagged),
-        count(Fault::WentThrough),
-        count(Fault::NotFinite),
-        count(Fault::NoNumber),
-        count(Fault::EnergyUnflagged),
-    )
+    let counted = [
+        ("Folded and flagged", Fault::Folded, "; "),
+        ("a finer step folds, unflagged", Fault::FoldedUnflagged, ". "),
+        ("Went through", Fault::WentThrough, ". "),
+        ("No finite motion, refused", Fault::NotFinite, ". "),
+        ("A result that is no number", Fault::NoNumber, ". "),
+        ("Energies off by more than half a percent, unflagged", Fault::EnergyUnflagged, "."),
+    ];
+    let each = counted.map(|(what, fault, end)| format!("{what}: {}{end}", found.count(fault)));
+    each.concat()
 }
 
 /// Some figure of every subject that has it, in one sentence.
 fn list(what: &str, rows: &[Coverage], figure: impl Fn(&Coverage) -> Option<String>) -> String {
-    let each =
-        rows.iter().filter_map(|row| Some(format!("{} {}", label(row.subject), figure(row)?)));
-    let each: Vec<String> = each.collect();
+    let of = |row: &Coverage| Some(format!("{} {}", label(row.subject), figure(row)?));
+    let each: Vec<String> = rows.iter().filter_map(of).collect();
     let each = if each.is_empty() { "none".to_owned() } else { each.join(", ") };
     format!("{what}: {each}.")
 }
@@ -104,44 +92,26 @@ pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
         Study::Tolerances => ("asked for", "Scenes in which it was refused"),
         _ => ("result", "Scenes without a limit and a claim"),
     };
-    writeln!(
-        out,
-        "\n{:<20}{:>11}{:>16}{:>16}{:>16}\n{first:<20}{:>11}{:>16}{:>16}{:>16}",
-        "",
-        "within",
-        "claimed/true",
-        "true error",
-        "true error",
-        "the claim",
-        "median",
-        "median",
-        "largest"
-    )?;
+    let line = |name: &str, [within, ratio, median, largest]: [&str; 4]| {
+        format!("{name:<20}{within:>11}{ratio:>16}{median:>16}{largest:>16}")
+    };
+    writeln!(out, "\n{}", line("", ["within", "claimed/true", "true error", "true error"]))?;
+    writeln!(out, "{}", line(first, ["the claim", "median", "median", "largest"]))?;
     let rows = found.coverage();
     for row in &rows {
-        let or_dash = |figure: Option<f64>, written: fn(f64) -> String| {
-            figure.map_or_else(|| "-".to_owned(), written)
-        };
-        writeln!(
-            out,
-            "{:<20}{:>11}{:>16}{:>16}{:>16}",
-            label(row.subject),
-            or_dash(row.within, |within| format!("{within:.1} %")),
-            or_dash(row.median_ratio, |ratio| format!("{ratio:.1}")),
-            or_dash(row.median_truth, error),
-            or_dash(row.largest_truth, error),
-        )?;
+        let within = or_dash(row.within, |within| format!("{within:.1} %"));
+        let ratio = or_dash(row.median_ratio, |ratio| format!("{ratio:.1}"));
+        let [median, largest] = [row.median_truth, row.largest_truth].map(|e| or_dash(e, error));
+        writeln!(out, "{}", line(&label(row.subject), [&within, &ratio, &median, &largest]))?;
     }
     if !matches!(found.study, Study::Steps(_)) {
-        let missing =
-            |row: &Coverage| (row.without_claim > 0).then(|| row.without_claim.to_string());
+        let count = |count: usize| (count > 0).then(|| count.to_string());
         writeln!(out)?;
-        block(&list(silence, &rows, missing), "", "", out)?;
+        block(&list(silence, &rows, |row| count(row.without_claim)), "", "", out)?;
     }
     if found.study == Study::Tolerances {
         let what = "Springs computed, over those of one run at level 1, in the median";
-        let costs = list(what, &rows, |row| row.median_cost.map(significant));
-        block(&costs, "", "", out)?;
+        block(&list(what, &rows, |row| row.median_cost.map(significant)), "", "", out)?;
     }
     let misses = found.misses();
     if misses.is_empty() {

@@ -26,24 +26,24 @@ pub fn arguments(source: &str, original: &Scenario, scenario: &Scenario) -> Opti
 
 /// The whole command as a shell takes it.
 pub fn line(subcommand: &str, arguments: &[String]) -> String {
-    let words = ["contrecoup", subcommand].into_iter();
-    let words = words.chain(arguments.iter().map(String::as_str));
+    let words = ["contrecoup", subcommand].into_iter().chain(arguments.iter().map(String::as_str));
     words.map(quoted).collect::<Vec<_>>().join(" ")
 }
 
 /// A word as a shell takes it: braces, which some of them expand, are quoted too.
 fn quoted(word: &str) -> Cow<'_, str> {
-    let quoted = shell_words::quote(word);
-    if quoted == word && word.contains(['{', '}', '~', '!', '^']) {
-        return Cow::Owned(format!("'{word}'"));
+    match shell_words::quote(word) {
+        bare if bare == word && word.contains(['{', '}', '~', '!', '^']) => {
+            format!("'{word}'").into()
+        }
+        quoted => quoted,
     }
-    quoted
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenario::library::{built_in, find};
+    use crate::scenario::library::{built_in, tests::preset};
 
     #[test]
     fn what_was_set_on_any_preset_is_said_and_set_again_gives_the_same() {
@@ -53,25 +53,18 @@ mod tests {
             ("model.sclera_mpa", "20 +- 3"),
             ("window_ms", "2"),
         ];
-        for preset in built_in() {
-            let original = preset.scenario().unwrap();
-            let mut scenario = original.clone();
-            for (path, text) in sets {
-                set(&mut scenario, path, text).unwrap();
-            }
-            let said = arguments(&preset.name, &original, &scenario).unwrap();
-            let mut again = original;
-            for pair in said[1..].chunks(2) {
-                let (path, text) = pair[1].split_once('=').unwrap();
-                set(&mut again, path, text).unwrap();
-            }
+        for built_in in built_in() {
+            let scenario = preset(&built_in.name, &sets);
+            let said = arguments(&built_in.name, &preset(&built_in.name, &[]), &scenario).unwrap();
+            let pairs = said[1..].chunks(2).map(|pair| pair[1].split_once('=').unwrap());
+            let again = preset(&built_in.name, &pairs.collect::<Vec<_>>());
             assert_eq!(again, scenario, "{said:?}");
         }
     }
 
     #[test]
     fn an_unchanged_preset_is_its_name_alone_and_odd_words_are_quoted() {
-        let bb = find("bb-56").unwrap().scenario().unwrap();
+        let bb = preset("bb-56", &[]);
         let said = arguments("my blow.ron", &bb, &bb).unwrap();
         assert_eq!(line("run", &said), "contrecoup run 'my blow.ron'");
         assert_eq!(line("run", &["{a,b}.ron".to_owned()]), "contrecoup run '{a,b}.ron'");
@@ -79,9 +72,9 @@ mod tests {
 
     #[test]
     fn from_another_preset_it_is_said_whole_or_not_at_all() {
-        let (a, b) = (find("paper-300n").unwrap(), find("bb-56").unwrap());
-        let (a, b) = (a.scenario().unwrap(), b.scenario().unwrap());
-        if let Some(said) = arguments("paper-300n", &a, &b) {
+        if let Some(said) =
+            arguments("paper-300n", &preset("paper-300n", &[]), &preset("bb-56", &[]))
+        {
             assert!(said.contains(&"impact=Projectile".to_owned()), "{said:?}");
         }
     }

@@ -13,7 +13,7 @@ use crate::injury::SIGNS;
 use crate::many::comparison::Entry;
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{Figure, cut_signs};
-use crate::report::format::{WIDTH, paragraph, percent, wrapped};
+use crate::report::format::{WIDTH, block, paragraph, percent};
 use crate::report::json::cut;
 use crate::report::risks::{first_line, legend, range};
 use crate::run::quantity::Quantity;
@@ -25,129 +25,102 @@ const WIDEST_NAME: usize = 20;
 
 /// A comparison as people read it: heads of two lines, and rows of cells.
 pub struct Table {
-    /// The short name of each result.
-    pub heads: Vec<String>,
-    /// The unit of each result.
-    pub units: Vec<&'static str>,
+    /// The short name of each result and its unit.
+    pub heads: Vec<(&'static str, &'static str)>,
     /// A name, and a cell for each head.
     pub rows: Vec<(String, Vec<String>)>,
     /// Notes on the whole table.
     pub notes: Vec<String>,
     /// Flags, gravest injury or refusal of each row, in words.
-    pub remarks: Vec<String>,
-}
-
-/// A result with as many digits as its errors allow, a risk as a range.
-fn cell(answer: &Answer, of: Quantity) -> String {
-    let figure = || Figure::of(answer, of).map(|figure| figure.cell());
-    let cell = range(answer, of).or_else(figure);
-    cell.unwrap_or_else(|| "-".to_owned())
+    remarks: Vec<String>,
 }
 
 impl Table {
-    /// The table of these columns.
     pub fn of(entries: &[Entry], columns: &[Quantity]) -> Self {
-        let mut heads: Vec<String> = columns.iter().map(|of| of.row().short.to_owned()).collect();
-        heads.extend(["step".to_owned(), "mesh".to_owned()]);
-        let mut units: Vec<&'static str> = columns.iter().map(|of| of.row().unit).collect();
-        units.extend(["error", "error"]);
+        let results = columns.iter().map(|of| (of.row().short, of.row().unit));
+        let heads: Vec<_> = results.chain([("step", "error"), ("mesh", "error")]).collect();
+        let cells = |answer: &Answer| -> Vec<String> {
+            let errors = [answer.errors.time_step_percent(), answer.errors.mesh_percent()];
+            let errors = errors.map(|error| error.map_or_else(|| "?".to_owned(), percent));
+            // A result with as many digits as its errors allow, a risk as a range.
+            let cell = |of: &Quantity| {
+                let figure = || Some(Figure::of(answer, *of)?.cell());
+                range(answer, *of).or_else(figure).unwrap_or_else(|| "-".to_owned())
+            };
+            columns.iter().map(cell).chain(errors).collect()
+        };
         let row = |entry: &Entry| {
-            let cells = match entry.answer() {
-                None => vec!["-".to_owned(); heads.len()],
-                Some(answer) => {
-                    let mut cells: Vec<String> =
-                        columns.iter().map(|of| cell(answer, *of)).collect();
-                    let errors = &answer.errors;
-                    for error in [errors.time_step_percent(), errors.mesh_percent()] {
-                        cells.push(error.map_or_else(|| "?".to_owned(), percent));
-                    }
-                    cells
-                }
-            };
-            (printable(&entry.name).into_owned(), cells)
+            let none = || vec!["-".to_owned(); heads.len()];
+            (printable(&entry.name).into_owned(), entry.answer().map_or_else(none, cells))
         };
-        let remark = |entry: &Entry| {
-            let remarks = match entry.answer() {
-                None => entry.refused().map(str::to_owned).into_iter().collect(),
-                Some(answer) => {
-                    // The gravest injury comes first.
-                    let first = first_line(answer);
-                    let flags = answer.flags.iter();
-                    let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.whole()));
-                    std::iter::once(first).chain(flags).collect::<Vec<_>>()
-                }
-            };
+        let remarks = |entry: &Entry| {
             let name = printable(&entry.name).into_owned();
-            remarks.into_iter().map(move |remark| format!("{name}: {remark}"))
+            let refused = || entry.refused().map(str::to_owned);
+            let flags = entry.answer().map_or(&[][..], |answer| &answer.flags).iter();
+            let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.whole()));
+            // The gravest injury comes first.
+            let first = entry.answer().map(first_line).or_else(refused);
+            let all: Vec<String> = first.into_iter().chain(flags).collect();
+            all.into_iter().map(move |remark| format!("{name}: {remark}"))
         };
-        let answers: Vec<(&str, &Answer)> = entries
-            .iter()
-            .filter_map(|entry| Some((entry.name.as_str(), entry.answer()?)))
-            .collect();
+        let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
-        let cut = || answers.iter().map(|(_, answer)| *answer).filter(is_cut);
-        let cut = cut().next().map(|_| cut_signs(cut()).to_owned());
-        let bb = legend(answers.iter().map(|(_, answer)| *answer)).map(str::to_owned);
+        let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
         Self {
             rows: entries.iter().map(row).collect(),
-            notes: cut.into_iter().chain(bb).collect(),
-            remarks: entries.iter().flat_map(remark).collect(),
-            units,
+            notes: cut.into_iter().chain(legend(answers())).map(str::to_owned).collect(),
+            remarks: entries.iter().flat_map(remarks).collect(),
             heads,
         }
     }
 
     /// Prints it in blocks that fit into 80 columns.
     pub fn text(&self, out: &mut dyn Write) -> io::Result<()> {
-        let longest = self.rows.iter().map(|(name, _)| name.chars().count()).max();
+        let (shorts, units) = self.heads.iter().copied().unzip();
+        let rows = self.rows.iter().map(|(name, cells)| {
+            (name.as_str(), cells.iter().map(String::as_str).collect::<Vec<_>>())
+        });
+        let lines: Vec<_> = [("", shorts), ("", units)].into_iter().chain(rows).collect();
+        let longest = lines.iter().map(|(name, _)| name.chars().count()).max();
         let name = longest.unwrap_or(0).min(WIDEST_NAME);
         let width = |at: usize| {
-            let cells = self.rows.iter().map(|(_, cells)| cells[at].chars().count());
-            let heads = [self.heads[at].chars().count(), self.units[at].len()];
-            cells.chain(heads).max().unwrap_or(0).max(NARROWEST) + 1
+            let cells = lines.iter().map(|(_, cells)| cells[at].chars().count());
+            cells.max().unwrap_or(0).max(NARROWEST) + 1
         };
+        let widths: Vec<usize> = (0..self.heads.len()).map(width).collect();
         let mut first = 0;
-        while first < self.heads.len() {
-            let mut last = first;
-            let mut wide = name;
-            while last < self.heads.len() && (last == first || wide + width(last) <= WIDTH) {
-                wide += width(last);
-                last += 1;
-            }
-            let line = |name_cell: &str, cell: &dyn Fn(usize) -> String| {
-                let short: String = name_cell.chars().take(name).collect();
-                let cells = (first..last).map(|at| format!("{:>1$}", cell(at), width(at)));
-                format!("{short:<name$}{}", cells.collect::<String>())
-            };
+        while first < widths.len() {
+            let fits = |last: &usize| name + widths[first..*last].iter().sum::<usize>() <= WIDTH;
+            let fitting = (first + 2..=widths.len()).take_while(fits).last();
+            let last = fitting.unwrap_or(first + 1);
             if first > 0 {
                 writeln!(out)?;
             }
-            writeln!(out, "{}", line("", &|at| self.heads[at].clone()))?;
-            writeln!(out, "{}", line("", &|at| self.units[at].to_owned()))?;
-            for (name, cells) in &self.rows {
-                writeln!(out, "{}", line(name, &|at| cells[at].clone()))?;
+            for (whole, cells) in &lines {
+                let short: String = whole.chars().take(name).collect();
+                write!(out, "{short:<name$}")?;
+                for (cell, &wide) in cells[first..last].iter().zip(&widths[first..last]) {
+                    write!(out, "{cell:>wide$}")?;
+                }
+                writeln!(out)?;
             }
             first = last;
         }
         if !(self.notes.is_empty() && self.remarks.is_empty()) {
             writeln!(out)?;
         }
-        for remark in self.notes.iter().chain(&self.remarks) {
-            paragraph(&printable(remark), out)?;
-        }
+        let mut remarks = self.notes.iter().chain(&self.remarks);
+        remarks.try_for_each(|remark| paragraph(&printable(remark), out))?;
         writeln!(out)?;
-        wrapped(SIGNS, WIDTH).iter().try_for_each(|line| writeln!(out, "{line}"))
+        block(SIGNS, "", "", out)
     }
 
-    /// Prints it as Markdown.
     pub fn markdown(&self, out: &mut dyn Write) -> io::Result<()> {
-        let units = self.heads.iter().zip(&self.units);
-        let heads: Vec<String> = units
-            .map(|(head, unit)| match *unit {
-                "" => head.clone(),
-                unit => format!("{head}, {unit}"),
-            })
-            .collect();
+        let head = |(head, unit): &(&str, &str)| match *unit {
+            "" => (*head).to_owned(),
+            unit => format!("{head}, {unit}"),
+        };
+        let heads: Vec<String> = self.heads.iter().map(head).collect();
         writeln!(out, "| blow | {} |", heads.join(" | "))?;
         writeln!(out, "|---|{}", "---:|".repeat(heads.len()))?;
         for (name, cells) in &self.rows {
@@ -155,9 +128,8 @@ impl Table {
             writeln!(out, "| {} | {} |", markdown(name), cells.join(" | "))?;
         }
         writeln!(out)?;
-        for remark in self.notes.iter().chain(&self.remarks) {
-            writeln!(out, "- {}", markdown(remark))?;
-        }
+        let mut remarks = self.notes.iter().chain(&self.remarks);
+        remarks.try_for_each(|remark| writeln!(out, "- {}", markdown(remark)))?;
         writeln!(out, "\n{SIGNS}")
     }
 }
@@ -167,13 +139,10 @@ impl Table {
 pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     let mut head = vec!["preset".to_owned(), "name".to_owned()];
-    for of in Quantity::ALL {
-        let key = of.key();
-        head.extend([
-            key.to_owned(),
-            format!("{key}_step_error_percent"),
-            format!("{key}_mesh_error_percent"),
-        ]);
+    for key in Quantity::ALL.iter().map(|of| of.key()) {
+        let errors = ["step", "mesh"].map(|of| format!("{key}_{of}_error_percent"));
+        head.push(key.to_owned());
+        head.extend(errors);
     }
     head.extend(["at_least", "not_final", "flags", "refused"].map(str::to_owned));
     writer.write_record(&head)?;
@@ -181,19 +150,17 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
         let mut record = vec![cell_text(&entry.name), cell_text(&entry.scenario.name)];
         let plain = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
         let answer = entry.answer();
+        let errors = answer.map(|answer| &answer.errors);
         for &of in Quantity::ALL {
-            let errors = answer.map(|answer| &answer.errors);
-            record.push(plain(answer.and_then(|answer| answer.result(of))));
-            record.push(plain(errors.and_then(|errors| errors.time_step[of])));
-            record.push(plain(errors.and_then(|errors| errors.mesh.as_ref()?[of])));
+            let step = errors.and_then(|errors| errors.time_step[of]);
+            let mesh = errors.and_then(|errors| errors.mesh.as_ref()?[of]);
+            record.extend([answer.and_then(|answer| answer.result(of)), step, mesh].map(plain));
         }
-        for how in [Cut::AtLeast, Cut::NotFinal] {
-            record.push(answer.map_or_else(String::new, |answer| cut(answer, how).join(" ")));
-        }
-        let flags = answer.map_or(&[][..], |answer| &answer.flags);
-        let flags: Vec<&str> = flags.iter().map(|flag| flag.kind.name()).collect();
-        record.push(flags.join(" "));
-        record.push(cell_text(entry.refused().unwrap_or_default()));
+        let cut = |how| answer.map_or_else(String::new, |answer| cut(answer, how).join(" "));
+        record.extend([Cut::AtLeast, Cut::NotFinal].map(cut));
+        let flags = answer.into_iter().flat_map(|answer| &answer.flags);
+        let flags: Vec<&str> = flags.map(|flag| flag.kind.name()).collect();
+        record.extend([flags.join(" "), cell_text(entry.refused().unwrap_or_default())]);
         writer.write_record(&record)?;
     }
     writer.flush()

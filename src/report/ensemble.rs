@@ -2,13 +2,14 @@
 
 use crate::answer::uncertain::{Shape, UncertainInput};
 use crate::injury::SIGNS;
-use crate::many::{bands::Band, ensemble::Ensemble};
+use crate::many::bands::{Band, Checks};
+use crate::many::ensemble::{Ensemble, Timing};
 use crate::plain_text::printable;
-use crate::report::figure::number_of;
+use crate::report::figure::{number_of, with_unit};
 use crate::report::format::{paragraph, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// So many samples leave little scatter in the bands.
@@ -16,16 +17,14 @@ const MANY: usize = 1000;
 /// Half the length of a bar of rank correlation, in characters.
 const BAR: usize = 12;
 
-/// A distribution in words.
 pub fn distribution(input: &UncertainInput) -> String {
-    let unit = input.field.unit;
     let (kind, a, between, b) = match input.shape {
         Shape::LogUniform(a, b) => ("log-uniform", a, "to", b),
         Shape::Uniform(a, b) => ("uniform", a, "to", b),
         Shape::Normal(mean, sd) => ("normal", mean, "±", sd),
     };
-    let (a, b) = (significant(a), significant(b));
-    format!("{kind} {a} {between} {b} {unit}").trim_end().to_owned()
+    let [a, b] = [a, b].map(significant);
+    with_unit(&format!("{kind} {a} {between} {b}"), input.field.unit)
 }
 
 /// Two digits, without a sign where they are zero.
@@ -37,53 +36,32 @@ pub fn hundredths(value: f64) -> String {
 /// A bar from the middle, to the left for less than zero.
 pub fn bar(correlation: f64, half: usize) -> String {
     let length = ((correlation.abs() * half as f64).round() as usize).min(half);
-    let (space, full) = (" ".repeat(half - length), "█".repeat(length));
-    if correlation < 0.0 {
-        format!("{space}{full}│{}", " ".repeat(half))
-    } else {
-        format!("{}│{full}{space}", " ".repeat(half))
-    }
+    let full = "█".repeat(length);
+    let [left, right] = if correlation < 0.0 { [&*full, ""] } else { ["", &*full] };
+    format!("{left:>half$}│{right:<half$}")
 }
 
-/// Prints bands, drivers of `drives`, counts and cost.
-pub fn text(
-    scenario: &Scenario,
-    ensemble: &Ensemble,
-    drives: Quantity,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let done = ensemble.samples.len();
-    writeln!(out, "{}", printable(&scenario.name))?;
-    let stopped = if ensemble.stopped() {
-        format!(", stopped: {} were asked for", ensemble.asked)
-    } else {
-        String::new()
-    };
-    writeln!(out, "{done} samples of seed {}{stopped}\n", ensemble.seed)?;
-    writeln!(out, "{:<22}{:>12}{:>12}{:>12}{:>16}", "", "5 %", "median", "95 %", "as entered")?;
+/// Prints bands, drivers of one result, counts and cost.
+pub fn text(name: &str, ensemble: &Ensemble, of: Quantity, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}", printable(name))?;
+    write!(out, "{} samples of seed {}", ensemble.samples.len(), ensemble.seed)?;
+    if ensemble.stopped() {
+        write!(out, ", stopped: {} were asked for", ensemble.asked)?;
+    }
+    writeln!(out, "\n\n{:<22}{:>12}{:>12}{:>12}{:>16}", "", "5 %", "median", "95 %", "as entered")?;
     let mut risks = false;
     for quantity in ensemble.results() {
-        let Some(band) = ensemble.band(quantity) else {
-            continue;
-        };
-        let Band { low, median, high } = band;
+        let Some(Band { low, median, high }) = ensemble.band(quantity) else { continue };
         if quantity.is_risk() && !risks {
             risks = true;
             writeln!(out, "{:<22}{:>12}{:>12}{:>12}", "", "10 %", "median", "90 %")?;
         }
-        let nominal = ensemble.nominal.as_ref().and_then(|n| n[quantity]);
         let row = quantity.row();
         let said = |value| number_of(quantity, value, significant);
-        writeln!(
-            out,
-            "{:<19}{:>3}{:>12}{:>12}{:>12}{:>16}",
-            row.label,
-            row.unit,
-            said(low),
-            said(median),
-            said(high),
-            nominal.map_or_else(String::new, said)
-        )?;
+        let [low, median, high] = [low, median, high].map(said);
+        let nominal = nominal(ensemble, quantity).map_or_else(String::new, said);
+        write!(out, "{:<19}{:>3}{low:>12}{median:>12}", row.label, row.unit)?;
+        writeln!(out, "{high:>12}{nominal:>16}")?;
     }
     for remark in flat(ensemble).into_iter().chain(outside(ensemble)) {
         paragraph(&remark, out)?;
@@ -91,17 +69,12 @@ pub fn text(
     if ensemble.valid().next().is_none() {
         writeln!(out, "no sample has a valid result")?;
     }
-    writeln!(out, "\nWhat drives {} (rank correlation)", drives.label())?;
-    for (input, correlation) in ensemble.drivers(drives) {
-        writeln!(
-            out,
-            "{:<20} {:>5} {}",
-            ensemble.inputs[input].field.label,
-            hundredths(correlation),
-            bar(correlation, BAR)
-        )?;
+    writeln!(out, "\nWhat drives {} (rank correlation)", of.label())?;
+    for (input, correlation) in ensemble.drivers(of) {
+        let (label, value) = (ensemble.inputs[input].field.label, hundredths(correlation));
+        writeln!(out, "{label:<20} {value:>5} {}", bar(correlation, BAR))?;
     }
-    if ensemble.values(drives).is_none() {
+    if ensemble.values(of).is_none() {
         writeln!(out, "the scene has no such result")?;
     }
     if ensemble.inputs.is_empty() {
@@ -109,9 +82,8 @@ pub fn text(
     }
     writeln!(out, "\nDrawn from")?;
     for input in &ensemble.inputs {
-        let source = input.source.unwrap_or("your doubt");
-        let what = format!("{:<20} {}", input.field.label, distribution(input));
-        writeln!(out, "{what}\n    {source}")?;
+        writeln!(out, "{:<20} {}", input.field.label, distribution(input))?;
+        writeln!(out, "    {}", input.source.unwrap_or("your doubt"))?;
     }
     counts(ensemble, out)?;
     cost(ensemble, out)?;
@@ -119,26 +91,24 @@ pub fn text(
     paragraph(SIGNS, out)
 }
 
+/// A result of the scenario as it stands.
+fn nominal(ensemble: &Ensemble, of: Quantity) -> Option<f64> {
+    ensemble.nominal.as_ref()?[of]
+}
+
 /// In how many samples the eye was pressed flat, in words; none where in none.
 fn flat(ensemble: &Ensemble) -> Option<String> {
-    let samples = ensemble.valid();
-    let flat = samples.filter(|(_, run)| run.pressed_flat()).count();
+    let flat = ensemble.valid().filter(|(_, run)| run.pressed_flat()).count();
     let of = ensemble.valid().count();
-    (flat > 0).then(|| {
-        format!(
-            "! in {flat} of {of} samples the eye was pressed flat: their results are at least so \
-             large, and no eye was tested so hard"
-        )
-    })
+    let why = "their results are at least so large, and no eye was tested so hard";
+    (flat > 0).then(|| format!("! in {flat} of {of} samples the eye was pressed flat: {why}"))
 }
 
 /// Which results lie outside their bands as they stand, one line for each input that may be why.
 fn outside(ensemble: &Ensemble) -> Vec<String> {
     let mut found: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
     for of in ensemble.results() {
-        let Some(input) = ensemble.outside(of) else {
-            continue;
-        };
+        let Some(input) = ensemble.outside(of) else { continue };
         let (why, label) = (input.map(|input| input.field.label), of.label());
         match found.iter_mut().find(|(known, _)| *known == why) {
             Some((_, labels)) => labels.push(label),
@@ -146,11 +116,9 @@ fn outside(ensemble: &Ensemble) -> Vec<String> {
         }
     }
     let said = |(why, labels): &(Option<&str>, Vec<&str>)| {
-        let labels = labels.join(", ");
-        let why = why.map_or_else(String::new, |input| {
-            format!(", as {input} stands at an end of its spread")
-        });
-        format!("! as entered it lies outside its band: {labels}{why}")
+        let why = why.map(|input| format!(", as {input} stands at an end of its spread"));
+        let why = why.unwrap_or_default();
+        format!("! as entered it lies outside its band: {}{why}", labels.join(", "))
     };
     found.iter().map(said).collect()
 }
@@ -158,78 +126,57 @@ fn outside(ensemble: &Ensemble) -> Vec<String> {
 fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     writeln!(out, "\nThe bands hold {valid} of {done} samples: {}", ensemble.which())?;
-    for (name, count) in ensemble.counts() {
-        writeln!(out, "{count:>7}  {name}")?;
-    }
-    let checks = ensemble.checks();
-    if checks.count == 0 {
-        writeln!(
-            out,
-            "Step error: not checked, as no sample kept its mesh whole and its eye in shape"
-        )?;
+    let counts = ensemble.counts();
+    counts.iter().try_for_each(|(name, count)| writeln!(out, "{count:>7}  {name}"))?;
+    let Checks { count, refined, missed, first, last } = ensemble.checks();
+    let (last, promise) = (percent(last), ensemble.promise);
+    if count == 0 {
+        let why = "no sample kept its mesh whole and its eye in shape";
+        writeln!(out, "Step error: not checked, as {why}")?;
     } else {
-        let worst = match checks.first {
-            Some(error) => format!("at the common step {}", percent(error)),
-            None => percent(checks.last),
-        };
-        writeln!(
-            out,
-            "Step error: {} samples set beside twice as many steps; worst {worst}",
-            checks.count,
-        )?;
+        let worst = first.map(|error| format!("at the common step {}", percent(error)));
+        let worst = worst.as_ref().unwrap_or(&last);
+        writeln!(out, "Step error: {count} samples set beside twice as many steps; worst {worst}")?;
     }
-    if checks.refined > 0 {
-        writeln!(
-            out,
-            "  {} above {} % were refined, {} of them after the pilot; now at most {}",
-            checks.refined,
-            ensemble.promise,
-            checks.missed,
-            percent(checks.last)
-        )?;
+    if refined > 0 {
+        write!(out, "  {refined} above {promise} % were refined, ")?;
+        writeln!(out, "{missed} of them after the pilot; now at most {last}")?;
     }
     Ok(())
 }
 
 fn cost(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
-    let timing = &ensemble.timing;
-    let each = timing.cores / ensemble.samples.len().max(1) as f64;
-    write!(
-        out,
-        "Took {:.2} s on {} threads: {:.2} core-ms a sample",
-        timing.wall,
-        timing.threads,
-        each * 1e3,
-    )?;
-    if let Some(single) = timing.single {
+    let Timing { wall, threads, single, .. } = ensemble.timing;
+    let (done, each) = (ensemble.samples.len(), core_seconds(ensemble));
+    write!(out, "Took {wall:.2} s on {threads} threads: {:.2} core-ms a sample", each * 1e3)?;
+    if let Some(single) = single {
         write!(out, ", {:.2} times the single case ({:.2} ms)", each / single, single * 1e3)?;
     }
     writeln!(out)?;
-    let done = ensemble.samples.len();
     if done < MANY && !ensemble.stopped() {
-        let wall = (timing.wall * MANY as f64 / done.max(1) as f64).max(1.0);
+        let wall = (wall * MANY as f64 / done.max(1) as f64).max(1.0);
         writeln!(out, "More samples, steadier bands: --samples {MANY} (about {wall:.0} s)")?;
     }
     Ok(())
 }
 
-fn band(ensemble: &Ensemble, of: Quantity) -> Value {
-    let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
-    let drivers: Map<String, Value> = ensemble
-        .drivers(of)
-        .into_iter()
-        .map(|(i, r)| (ensemble.inputs[i].field.path.to_owned(), json!(r)))
-        .collect();
-    ensemble.band(of).map_or(Value::Null, |band| {
-        json!({
-            if of.is_risk() { "p10" } else { "p05" }: band.low,
-            "median": band.median,
-            if of.is_risk() { "p90" } else { "p95" }: band.high,
-            "as_it_stands": nominal,
-            "as_it_stands_is_outside": ensemble.outside(of).is_some(),
-            "rank_correlation": drivers,
-        })
-    })
+/// What a sample took, in s on one core.
+fn core_seconds(ensemble: &Ensemble) -> f64 {
+    ensemble.timing.cores / ensemble.samples.len().max(1) as f64
+}
+
+fn band(ensemble: &Ensemble, of: Quantity) -> Option<Value> {
+    let band = ensemble.band(of)?;
+    let drivers = ensemble.drivers(of).into_iter();
+    let drivers = drivers.map(|(input, by)| (ensemble.inputs[input].field.path, by));
+    Some(json!({
+        if of.is_risk() { "p10" } else { "p05" }: band.low,
+        "median": band.median,
+        if of.is_risk() { "p90" } else { "p95" }: band.high,
+        "as_it_stands": nominal(ensemble, of),
+        "as_it_stands_is_outside": ensemble.outside(of).is_some(),
+        "rank_correlation": drivers.collect::<Value>(),
+    }))
 }
 
 fn input(of: &UncertainInput) -> Value {
@@ -248,29 +195,22 @@ fn input(of: &UncertainInput) -> Value {
     })
 }
 
-/// An ensemble as one JSON object.
 pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
     let checks = ensemble.checks();
-    let timing = &ensemble.timing;
-    let done = ensemble.samples.len();
-    let each = timing.cores / done.max(1) as f64;
-    let results: Map<String, Value> = ensemble
-        .results()
-        .into_iter()
-        .map(|of| (of.key().to_owned(), band(ensemble, of)))
-        .collect();
+    let (timing, each) = (&ensemble.timing, core_seconds(ensemble));
+    let results = ensemble.results().into_iter().map(|of| (of.key(), band(ensemble, of)));
     json!({
         "scenario": scenario,
-        "samples": done,
+        "samples": ensemble.samples.len(),
         "asked": ensemble.asked,
         "stopped": ensemble.stopped(),
         "seed": ensemble.seed,
-        "inputs": ensemble.inputs.iter().map(input).collect::<Vec<_>>(),
-        "results": results,
+        "inputs": ensemble.inputs.iter().map(input).collect::<Value>(),
+        "results": results.collect::<Value>(),
         "counted": {
             "in_the_bands": ensemble.valid().count(),
             "folded": ensemble.folded(),
-            "by_name": ensemble.counts().into_iter().map(|(name, n)| (name, json!(n))).collect::<Map<_, _>>(),
+            "by_name": ensemble.counts().into_iter().collect::<Value>(),
         },
         "step_error": {
             "promise_percent": ensemble.promise,

@@ -7,6 +7,7 @@
 
 use std::fmt;
 
+use crate::answer::results::Limit;
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::format::{digits, percent, share, significant};
@@ -23,10 +24,8 @@ const NEGLIGIBLE: f64 = 0.01;
 pub enum Off {
     /// No error is stated of it.
     Unstated,
-    /// By the step; the mesh error is not estimated.
-    Step(f64),
-    /// By step and mesh together.
-    Both(f64),
+    /// By the step, and the mesh once its error is estimated.
+    Known(f64),
     /// Unknown: finer meshes do not agree on it.
     Limitless,
 }
@@ -34,47 +33,37 @@ pub enum Off {
 impl Off {
     /// How far a result with these errors may be off.
     pub fn of(errors: &Errors, of: Quantity) -> Self {
-        match (errors.time_step[of], &errors.mesh) {
-            (None, _) if of.row().family == Family::Unstated => Self::Unstated,
-            (None, _) => Self::Limitless,
-            (Some(step), None) => Self::Step(step),
-            (Some(step), Some(mesh)) => {
-                mesh[of].map_or(Self::Limitless, |mesh| Self::Both(step + mesh))
-            }
-        }
+        let Some(step) = errors.time_step[of] else {
+            let unstated = of.row().family == Family::Unstated;
+            return if unstated { Self::Unstated } else { Self::Limitless };
+        };
+        let mesh = errors.mesh.as_ref().map_or(Some(0.0), |mesh| mesh[of]);
+        mesh.map_or(Self::Limitless, |mesh| Self::Known(step + mesh))
     }
 
     /// In % of the result, if it is known.
     pub fn percent(self) -> Option<f64> {
-        match self {
-            Self::Step(error) | Self::Both(error) => Some(error),
-            Self::Unstated | Self::Limitless => None,
-        }
+        if let Self::Known(error) = self { Some(error) } else { None }
     }
 }
 
 impl fmt::Display for Off {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
+        match *self {
             Self::Unstated => Ok(()),
             Self::Limitless => f.write_str("±?"),
-            Self::Step(error) | Self::Both(error) if *error > 0.0 && *error < NEGLIGIBLE => {
+            Self::Known(error) if error > 0.0 && error < NEGLIGIBLE => {
                 write!(f, "±<{NEGLIGIBLE} %")
             }
-            Self::Step(error) | Self::Both(error) if *error < 1.0 => {
-                write!(f, "±{} %", rounded(*error, 1))
-            }
-            Self::Step(error) | Self::Both(error) => write!(f, "±{}", percent(*error)),
+            Self::Known(error) if error < 1.0 => write!(f, "±{} %", rounded(error, 1)),
+            Self::Known(error) => write!(f, "±{}", percent(error)),
         }
     }
 }
 
 /// What the errors behind the figures of a page come from, in words.
 fn causes(errors: &Errors) -> &'static str {
-    match errors.mesh {
-        Some(_) => "step and mesh",
-        None => "step alone, mesh not estimated",
-    }
+    if errors.mesh.is_some() { "step and mesh" } else { "step alone, mesh not estimated" }
 }
 
 /// What the errors behind the figures of an answer are, in words, with their signs.
@@ -94,11 +83,9 @@ pub fn error_signs(answer: &Answer) -> String {
 /// A result with its error.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// The number, with no digit finer than its error.
+    /// With no digit finer than its error.
     pub number: String,
-    /// Its unit; empty where it has none.
     pub unit: &'static str,
-    /// How far it may be off.
     pub off: Off,
     /// How it is limited by a run that ended too early.
     pub cut: Option<Cut>,
@@ -113,12 +100,12 @@ pub fn cut_signs<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> &'static 
     }
 }
 
-/// What stands before a result that the run cut off, in words.
-pub fn cut_word(cut: Option<Cut>) -> &'static str {
+/// What stands before a result that the run cut off: as a sign and in words.
+pub fn cut_before(cut: Option<Cut>) -> (&'static str, &'static str) {
     match cut {
-        Some(Cut::AtLeast) => AT_LEAST,
-        Some(Cut::NotFinal) => "so far",
-        None => "",
+        Some(Cut::AtLeast) => ("≥", AT_LEAST),
+        Some(Cut::NotFinal) => ("~", "so far"),
+        None => ("", ""),
     }
 }
 
@@ -138,7 +125,10 @@ impl Figure {
     pub fn of(answer: &Answer, of: Quantity) -> Option<Self> {
         let value = answer.result(of)?;
         let off = Off::of(&answer.errors, of);
-        let number = number_of(of, value, |value| number(value, off));
+        let number = number_of(of, value, |value| match off {
+            Off::Limitless => rounded(value, DIGITS.0),
+            off => within(value, off.percent()),
+        });
         let cut = answer.cut(of);
         Some(Self {
             // Of a risk that is less than so much, and may grow, nothing is known.
@@ -152,19 +142,14 @@ impl Figure {
     /// The number as a table shows it: a sign says what the end of the run means for it, see
     /// [`cut_signs`].
     pub fn cell(&self) -> String {
-        let sign = match self.cut {
-            Some(Cut::AtLeast) => "≥",
-            Some(Cut::NotFinal) => "~",
-            None => "",
-        };
-        format!("{sign}{}", self.number)
+        cut_before(self.cut).0.to_owned() + &self.number
     }
 
     /// The figure with at most `count` digits, for narrow places.
     #[must_use]
     pub fn coarser(&self, count: i32) -> Self {
-        let number = self.number.parse();
-        let number = number.map_or_else(|_| self.number.clone(), |value| rounded(value, count));
+        let known = self.number.parse().map(|value| rounded(value, count));
+        let number = known.unwrap_or_else(|_| self.number.clone());
         Self { number, ..self.clone() }
     }
 
@@ -172,20 +157,13 @@ impl Figure {
     pub fn signed(&self) -> String {
         with_unit(&self.cell(), self.unit)
     }
-
-    /// The number with its unit alone.
-    pub fn bare(&self) -> String {
-        with_unit(&self.number, self.unit)
-    }
 }
 
 impl fmt::Display for Figure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let error = self.off.to_string();
-        let between = if error.is_empty() { "" } else { " " };
-        let cut = cut_word(self.cut);
-        let space = if cut.is_empty() { "" } else { " " };
-        write!(f, "{cut}{space}{}{between}{error}", self.bare())
+        let number = with_unit(&self.number, self.unit);
+        let words = format!("{} {number} {}", cut_before(self.cut).1, self.off);
+        f.write_str(words.trim())
     }
 }
 
@@ -222,37 +200,36 @@ pub const PARTS: [(Quantity, Term); 3] = [
 /// of the peak at any moment; a trace of no result has none.
 pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
+    let hit = answer.result(Quantity::Contact).is_some();
     let of = match course {
         Trace::Of(of) => of,
         // What drives an eye that is hit is a result of its own.
-        Trace::Other(OtherTrace::Drive) if answer.result(Quantity::Contact).is_some() => {
-            Quantity::Contact
-        }
-        // No error is estimated of the energies, so they have the digits that any result has.
-        Trace::Other(_) if row.place.0 == Group::Energies => {
-            return with_unit(&rounded(settled(value, NEGLIGIBLE_NOW), DIGITS.0), row.unit);
-        }
+        Trace::Other(OtherTrace::Drive) if hit => Quantity::Contact,
         Trace::Other(_) => {
-            return with_unit(&significant(settled(value, NEGLIGIBLE_NOW)), row.unit);
+            let value = settled(value, NEGLIGIBLE_NOW);
+            // No error is estimated of the energies, so they have the digits that any result has.
+            let energy = row.place.0 == Group::Energies;
+            let number = if energy { rounded(value, DIGITS.0) } else { significant(value) };
+            return with_unit(&number, row.unit);
         }
     };
     let off = Off::of(&answer.errors, of);
-    let share = off.percent().map(|percent| percent / 100.0);
     let peak = answer.result(of).unwrap_or_default().abs();
-    let error = share.map(|share| share * peak);
     // What is far below the peak is nothing.
     let value = settled(value, 1e-4 * peak);
-    let (value, error) = match (off, error) {
-        (Off::Limitless, _) => (rounded(value, DIGITS.0), " ±?".to_owned()),
-        (_, Some(error)) if 100.0 * error < NEGLIGIBLE * peak => {
-            let negligible = if error > 0.0 { off.to_string() } else { String::new() };
-            let text = format!("{} {negligible}", with_unit(&significant(value), row.unit));
-            return text.trim_end().to_owned();
+    let figure = match off {
+        Off::Limitless => format!("{} ±?", rounded(value, DIGITS.0)),
+        Off::Unstated => significant(value),
+        Off::Known(percent) => {
+            let error = percent / 100.0 * peak;
+            if 100.0 * error < NEGLIGIBLE * peak {
+                let negligible = if error > 0.0 { off.to_string() } else { String::new() };
+                return with_unit(&with_unit(&significant(value), row.unit), &negligible);
+            }
+            format!("{} ±{}", to_the_place(value, error), rounded(error, 2))
         }
-        (_, Some(error)) => (to_the_place(value, error), format!(" ±{}", rounded(error, 2))),
-        _ => (significant(value), String::new()),
     };
-    with_unit(&format!("{value}{error}"), row.unit)
+    with_unit(&figure, row.unit)
 }
 
 /// Below this a load in N or a way in mm is rounding.
@@ -280,14 +257,6 @@ pub fn with_unit(number: &str, unit: &str) -> String {
     format!("{number} {unit}").trim_end().to_owned()
 }
 
-/// A value as its error allows; few digits where the error is not known.
-fn number(value: f64, off: Off) -> String {
-    match off {
-        Off::Limitless => rounded(value, DIGITS.0),
-        off => within(value, off.percent()),
-    }
-}
-
 /// A value with no digit finer than the first one of its error, given in %, but two at least and
 /// four at most.
 pub fn within(value: f64, error: Option<f64>) -> String {
@@ -312,47 +281,74 @@ fn rounded(value: f64, count: i32) -> String {
     digits(kept, count)
 }
 
+/// A result on the answer's mesh and in the limit of finer ones, as in
+/// `12.40 N on this mesh, 12.3 ±1.0 N in the limit`; none where no limit is known.
+pub fn here_and_in_the_limit(answer: &Answer, of: Quantity) -> Option<String> {
+    let limit = in_the_limit(answer, of)?;
+    let value = within(answer.result(of)?, answer.errors.time_step[of]);
+    let here = with_unit(&value, of.row().unit);
+    Some(format!("{here} on this mesh, {limit} in the limit"))
+}
+
+/// What a result tends to on finer meshes, as in `12.3 ±1.0 N`.
+pub fn in_the_limit(answer: &Answer, of: Quantity) -> Option<String> {
+    let limit = answer.errors.limits.as_ref()?[of]?;
+    Some(with_unit(&with_error(&limit), of.row().unit))
+}
+
+/// A limit and how far it may be off, both to the second digit of that.
+fn with_error(limit: &Limit) -> String {
+    let Limit { value, error } = *limit;
+    let error_text = digits(error, 2);
+    if error_text.contains('e') || error <= 0.0 {
+        return format!("{} ±{error_text}", significant(value));
+    }
+    let after = error_text.split_once('.').map_or(0, |(_, after)| after.len());
+    format!("{value:.after$} ±{error_text}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::answer::results::Results;
 
     #[test]
+    fn a_limit_has_no_finer_digits_than_its_error() {
+        let limits = [(18.4123, 1.04), (18.4123, 0.1234), (184.123, 12.3), (1.234e-7, 1.2e-8)];
+        let said = limits.map(|(value, error)| with_error(&Limit { value, error }));
+        assert_eq!(said, ["18.4 ±1.0", "18.41 ±0.12", "184 ±12", "1.234e-7 ±1.2e-8"]);
+        assert_eq!(with_error(&Limit { value: 0.0, error: 0.0 }), "0 ±0");
+    }
+
+    #[test]
     fn digits_end_where_the_error_begins() {
         assert_eq!(within(26.4184, None), "26.42");
-        assert_eq!(within(26.4184, Some(1e-6)), "26.42");
-        assert_eq!(within(3.2184, Some(15.0)), "3.2");
-        assert_eq!(within(0.0, Some(5.0)), "0");
-        assert_eq!(within(26.4184, Some(40.0)), "26");
-        assert_eq!(within(72.93, Some(119.0)), "73");
-        assert_eq!(within(5234.0, Some(40.0)), "5200");
-        assert_eq!(within(9.996, Some(5.0)), "10");
-        assert_eq!(within(-0.0123, Some(10.0)), "-0.012");
+        let of = |(value, percent)| within(value, Some(percent));
+        let small = [(26.4184, 1e-6), (3.2184, 15.0), (0.0, 5.0), (26.4184, 40.0), (72.93, 119.0)];
+        assert_eq!(small.map(of), ["26.42", "3.2", "0", "26", "73"]);
+        let more = [(5234.0, 40.0), (9.996, 5.0), (-0.0123, 10.0)];
+        assert_eq!(more.map(of), ["5200", "10", "-0.012"]);
         assert_eq!(allowing(61.27, Some(0.4)), "61.3");
-        assert_eq!(Off::Both(0.0804).to_string(), "±0.08 %");
-        assert_eq!(Off::Step(4.21).to_string(), "±4.2 %");
+        let off = [0.0804, 4.21].map(|error| Off::Known(error).to_string());
+        assert_eq!(off, ["±0.08 %", "±4.2 %"]);
     }
 
     #[test]
     fn an_error_says_what_is_known_of_it() {
-        let mut time_step = Results::from_fn(|_| None);
-        let mut errors = Errors { time_step, mesh: None, limits: None, energy_balance: 0.0 };
+        let unknown = || Results::from_fn(|_| None);
+        let mut errors =
+            Errors { time_step: unknown(), mesh: None, limits: None, energy_balance: 0.0 };
         let front = Quantity::ForceFront;
         assert_eq!(Off::of(&errors, front).to_string(), "±?");
         assert_eq!(Off::of(&errors, Quantity::Hyphema).to_string(), "");
-        time_step[front] = Some(0.004);
-        errors.time_step = time_step;
+        errors.time_step[front] = Some(0.004);
         assert_eq!(Off::of(&errors, front).to_string(), "±<0.01 %");
         assert_eq!(causes(&errors), "step alone, mesh not estimated");
-        errors.mesh = Some(Results::from_fn(|_| None));
+        errors.mesh = Some(unknown());
         assert_eq!(Off::of(&errors, front).to_string(), "±?");
-        let mut mesh = Results::from_fn(|_| None);
-        mesh[front] = Some(118.7);
-        errors.mesh = Some(mesh);
+        errors.mesh.as_mut().unwrap()[front] = Some(118.7);
         let off = Off::of(&errors, front);
-        let number = within(72.93, off.percent());
-        let unit = "N";
-        let figure = |cut| Figure { number: number.clone(), unit, off, cut };
+        let figure = |cut| Figure { number: within(72.93, off.percent()), unit: "N", off, cut };
         assert_eq!(figure(None).to_string(), "73 N ±119 %");
         assert_eq!(figure(Some(Cut::AtLeast)).to_string(), "at least 73 N ±119 %");
         assert_eq!(figure(Some(Cut::AtLeast)).cell(), "≥73");

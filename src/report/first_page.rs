@@ -1,43 +1,29 @@
 //! An answer on one screen of a terminal: what hit what, six injuries, five figures with their
-//! errors, what limits them and what to do about it, and how to see more.
+//! errors, what limits them and what to do about it, and how to see more; and in three lines, to
+//! paste into a mail or a chart: what to believe, figures with their errors, flags.
 
 use crate::answer::solve::Answer;
 use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
-use crate::report::{risks::uncounted, text::row};
+use crate::report::{risks::first_line, risks::legend, risks::uncounted, text::row};
 use crate::run::{flags::Flag, quantity::Quantity};
 use crate::scenario::{Scenario, problem::plain};
-use std::io::{self, Write};
 
 /// Lines of the page at most: the prompt that follows leaves 23 of 24 on the screen.
 pub const LINES: usize = 23;
-/// Figures of the page: the first so many of [`LEADING`] that the scene has.
+/// Figures of the page: the first so many of [`LEADING`] and the forces that the scene has.
 const FIGURES: usize = 5;
-const LEADING: [Quantity; 9] = [
-    Quantity::Damage,
-    Quantity::Apex,
-    Quantity::Pressure,
-    Quantity::Contact,
-    Quantity::Shortening,
-    Quantity::ForceCentre,
-    Quantity::ForceFront,
-    Quantity::ForceRight,
-    Quantity::ForceTop,
-];
+const LEADING: [Quantity; 5] =
+    [Quantity::Damage, Quantity::Apex, Quantity::Pressure, Quantity::Contact, Quantity::Shortening];
 const MORE: &str = "More: --all (every result), --json (for programs), contrecoup report (a page)";
 
-/// Prints the page. Numerics that were chosen for a tolerance are said if `chosen`.
-pub fn write(
-    scenario: &Scenario,
-    answer: &Answer,
-    chosen: bool,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+/// The page. Numerics that were chosen for a tolerance are said if `chosen`.
+pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
     let what = what(scenario);
     let (injuries, mut notes) = injuries(answer);
-    let figures = figures(answer, chosen)?;
+    let figures = figures(answer, chosen);
     let signs = wrapped(SIGNS, WIDTH);
     let taken = what.len() + injuries.len() + figures.len() + signs.len() + 1;
     let mut left = LINES.saturating_sub(taken);
@@ -53,23 +39,22 @@ pub fn write(
     let flags = flags(&answer.flags, left);
     left -= flags.len().min(left);
     let parts = [what, [injuries, notes].concat(), figures, flags, signs];
-    for (i, part) in parts.iter().filter(|part| !part.is_empty()).enumerate() {
-        if i > 0 && left > 0 {
+    let mut page = String::new();
+    for part in parts.iter().filter(|part| !part.is_empty()) {
+        if !page.is_empty() && left > 0 {
             left -= 1;
-            writeln!(out)?;
+            page.push('\n');
         }
-        for line in part {
-            writeln!(out, "{line}")?;
-        }
+        page.extend([&part.join("\n"), "\n"]);
     }
-    writeln!(out, "{MORE}")
+    page + MORE + "\n"
 }
 
 /// What hit what, in lines.
 fn what(scenario: &Scenario) -> Vec<String> {
     let object = scenario.projectile().map_or_else(String::new, |object| {
-        let parts = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
-        format!("{} g, {} mm, {} m/s; ", parts[0], parts[1], parts[2])
+        let [mass, wide, speed] = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
+        format!("{mass} g, {wide} mm, {speed} m/s; ")
     });
     let text = format!("{object}{}", scenario.description());
     let name = wrapped(&printable(&scenario.name), WIDTH).into_iter().take(1);
@@ -114,20 +99,19 @@ fn notes(answer: &Answer, risks: &[Risk]) -> Vec<String> {
             }
         }
     }
-    let note = |(note, names): (&str, Vec<&str>)| match names.len() {
-        all if all == risks.len() => note.to_owned(),
-        _ => format!("{}: {note}", names.join(", ")),
+    let note = |(note, names): (&str, Vec<&str>)| {
+        let all = names.len() == risks.len();
+        if all { note.to_owned() } else { format!("{}: {note}", names.join(", ")) }
     };
     let without = uncounted(answer).map(|missing| format!("ranges without {missing}"));
-    let parts = said.into_iter().map(note).chain(without);
-    parts.chain([A_BB.to_owned()]).collect()
+    said.into_iter().map(note).chain(without).chain([A_BB.to_owned()]).collect()
 }
 
 /// The figures that lead, with their errors.
-fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
-    let mut text = Vec::new();
-    let shown = LEADING.iter().filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
-    let mut cut = false;
+fn figures(answer: &Answer, chosen: bool) -> Vec<String> {
+    let (mut lines, mut cut) = (Vec::new(), false);
+    let shown = LEADING.iter().chain(&Quantity::FORCES);
+    let shown = shown.filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
     for (of, figure) in shown.take(FIGURES) {
         cut |= figure.cut.is_some();
         let more = match answer.peak(of) {
@@ -135,41 +119,61 @@ fn figures(answer: &Answer, chosen: bool) -> io::Result<Vec<String>> {
             None if unusable(answer).is_some() => "not usable".to_owned(),
             None => SCALE.to_owned(),
         };
-        row(&capital(of.row().label), &figure, &more, &mut text)?;
+        let row = row(&capital(of.row().label), &figure, &more);
+        lines.extend(row.lines().map(str::to_owned));
     }
-    let mut lines: Vec<String> =
-        String::from_utf8_lossy(&text).lines().map(str::to_owned).collect();
-    let chosen = if chosen {
-        let integrator = answer.plan.integrator.name();
-        format!(", {integrator}, steps of {:.4} us", answer.step * 1e6)
-    } else {
-        String::new()
-    };
-    let (signs, level) = (error_signs(answer), answer.case.level());
-    let trust = format!("{signs}; mesh level {level}{chosen}");
-    lines.extend(wrapped(&trust, WIDTH));
-    if cut {
-        lines.push(cut_signs(std::iter::once(answer)).to_owned());
+    let mut trust = vec![format!("{}; mesh level {}", error_signs(answer), answer.case.level())];
+    if chosen {
+        let (integrator, step) = (answer.plan.integrator.name(), answer.step * 1e6);
+        trust.push(format!("{integrator}, steps of {step:.4} us"));
     }
-    Ok(lines)
+    lines.extend(wrapped(&trust.join(", "), WIDTH));
+    lines.extend(cut.then(|| cut_signs(std::iter::once(answer)).to_owned()));
+    lines
 }
 
 /// What limits the results with the next step, in so many lines; how many are left out.
 fn flags(flags: &[Flag], room: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for (i, flag) in flags.iter().enumerate() {
+    for (flag, left_out) in flags.iter().zip((0..flags.len()).rev()) {
         let (name, next) = (flag.kind.name(), flag.kind.next_step());
         let own = wrapped(&format!("FLAG {name}: {}; {next}", flag.message), WIDTH);
-        let last = i + 1 == flags.len();
-        if lines.len() + own.len() + usize::from(!last) > room {
-            let (name, more) = (flags[i].kind.name(), flags.len() - i - 1);
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        if lines.len() + own.len() + usize::from(left_out > 0) > room {
+            let more = if left_out > 0 { format!(" and {left_out} more") } else { String::new() };
             lines.push(format!("FLAG {name}{more}: see --all"));
             break;
         }
         lines.extend(own);
     }
     lines
+}
+
+/// The three lines, and the command that repeats the blow as a fourth, if one does.
+pub fn in_three_lines(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> String {
+    let name = printable(&scenario.name);
+    let verdict = first_line(answer);
+    let shown = [Quantity::Apex, Quantity::Pressure, Quantity::Contact];
+    let figures = shown.iter().filter_map(|of| {
+        let figure = Figure::of(answer, *of)?;
+        Some(format!("; {} {figure}", of.row().label))
+    });
+    let figures: String = figures.collect();
+    let index = Figure::of(answer, Quantity::Damage).map_or_else(String::new, |f| f.to_string());
+    let index = match unusable(answer) {
+        Some(why) => format!("{why}; raw {index}"),
+        None => format!("damage index {index} ({SCALE})"),
+    };
+    let signs = error_signs(answer);
+    let flags: Vec<&str> = answer.flags.iter().map(|flag| flag.kind.name()).collect();
+    let flags =
+        if flags.is_empty() { "no flags".into() } else { format!("flags: {}", flags.join(", ")) };
+    let bb = legend(std::iter::once(answer)).map_or_else(String::new, |bb| format!("; {bb}"));
+    let command = command.map_or_else(String::new, |command| format!("{command}\n"));
+    format!(
+        "{name}: {verdict}\n\
+         {index}{figures} ({signs})\n\
+         {flags}{bb}; research and education, not diagnosis\n{command}"
+    )
 }
 
 #[cfg(test)]
@@ -188,9 +192,7 @@ mod tests {
             detail: None,
             time: None,
         }));
-        let mut out = Vec::new();
-        write(&scenario, &answer, true, &mut out).unwrap();
-        let page = String::from_utf8(out).unwrap();
+        let page = text(&scenario, &answer, true);
         assert!(page.lines().count() <= LINES, "{page}");
         assert!(page.lines().all(|line| line.chars().count() <= WIDTH), "{page}");
         assert!(page.contains("not diagnosis"), "{page}");
@@ -223,8 +225,18 @@ mod tests {
     }
 
     #[test]
-    fn a_pulse_says_why_there_are_no_injuries() {
-        let paper = page("paper-300n", &[], &[]);
-        assert!(paper.contains("injuries: not told"), "{paper}");
+    fn three_lines_say_what_to_believe_and_a_fourth_repeats_it() {
+        let bb = preset("bb-56", &[("window_ms", "0.2")]);
+        let text = in_three_lines(&bb, &answered(&bb), Some("contrecoup run bb-56"));
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 4, "{text}");
+        assert!(lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "), "{text}");
+        assert!(lines[1].starts_with("damage index so far "), "{text}");
+        // The window ends while the ball presses on: each other figure may still grow.
+        assert_eq!(lines[1].matches("; ").count(), lines[1].matches(" at least ").count());
+        assert!(lines[1].contains("; peak pressure at least "));
+        assert!(lines[1].contains("±") && lines[1].contains("mesh not estimated"));
+        assert!(lines[2].starts_with("flags: ") && lines[2].contains("window_short"), "{text}");
+        assert_eq!(lines[3], "contrecoup run bb-56");
     }
 }

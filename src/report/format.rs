@@ -23,6 +23,15 @@ pub fn digits(value: f64, count: i32) -> String {
     }
 }
 
+/// A number with four significant digits, but no zeros at the end of what follows its point.
+pub fn trimmed(value: f64) -> String {
+    let text = significant(value);
+    if text.contains('.') && !text.contains('e') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
 /// An error in percent: two digits are all it can bear.
 pub fn percent(value: f64) -> String {
     match value {
@@ -34,6 +43,11 @@ pub fn percent(value: f64) -> String {
         }
         v => format!("{v:.0} %"),
     }
+}
+
+/// A figure as it is written; a dash where it is not known.
+pub(super) fn or_dash(figure: Option<f64>, written: impl FnOnce(f64) -> String) -> String {
+    figure.map_or_else(|| "-".to_owned(), written)
 }
 
 /// Columns of a line.
@@ -64,13 +78,10 @@ pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
 /// Prints a text in lines of 80 columns, with what stands before the first and before those that
 /// go on.
 pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
-    for (i, part) in wrapped(text, WIDTH - rest.len()).iter().enumerate() {
-        writeln!(out, "{}{part}", if i == 0 { first } else { rest })?;
-    }
-    Ok(())
+    let mut lines = wrapped(text, WIDTH - rest.len()).into_iter().enumerate();
+    lines.try_for_each(|(i, line)| writeln!(out, "{}{line}", if i == 0 { first } else { rest }))
 }
 
-/// `label` with a capital letter.
 pub fn capital(label: &str) -> String {
     let mut letters = label.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
@@ -78,13 +89,10 @@ pub fn capital(label: &str) -> String {
 
 /// A share as whole percent, or finer where it is small.
 pub(super) fn share(risk: f64) -> String {
-    let percent = 100.0 * risk;
-    if percent < 0.1 {
-        "< 0.1 %".to_owned()
-    } else if percent < 9.95 {
-        format!("{percent:.1} %")
-    } else {
-        format!("{percent:.0} %")
+    match 100.0 * risk {
+        percent if percent < 0.1 => "< 0.1 %".to_owned(),
+        percent if percent < 9.95 => format!("{percent:.1} %"),
+        percent => format!("{percent:.0} %"),
     }
 }
 
@@ -93,19 +101,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_carry_four_digits() {
-        assert_eq!(significant(26.418_437), "26.42");
-        assert_eq!(significant(0.004_971_1), "0.004971");
-        assert_eq!(significant(1234.5), "1234");
-        assert_eq!(significant(0.0), "0");
-        assert_eq!(significant(-2.5e-9), "-2.500e-9");
-    }
-
-    #[test]
-    fn errors_carry_two_digits() {
-        assert_eq!(percent(0.012_34), "0.012 %");
-        assert_eq!(percent(3.21), "3.2 %");
-        assert_eq!(percent(123.4), "123 %");
-        assert_eq!(percent(1e-7), "< 0.0001 %");
+    fn numbers_carry_four_digits_and_errors_two() {
+        let numbers = [26.418_437, 0.004_971_1, 1234.5, 0.0, -2.5e-9].map(significant);
+        assert_eq!(numbers, ["26.42", "0.004971", "1234", "0", "-2.500e-9"]);
+        let errors = [0.012_34, 3.21, 123.4, 1e-7].map(percent);
+        assert_eq!(errors, ["0.012 %", "3.2 %", "123 %", "< 0.0001 %"]);
     }
 }

@@ -4,44 +4,34 @@
 //! sweeps, ensembles and errors; the time of its peak stands under that key in
 //! `peak_time_ms_by_result`. Figures that are no results stand beside them.
 
-use crate::answer::results::Results;
-use crate::answer::results::{Limit, Limits};
+use crate::answer::results::{Limit, Limits, Results};
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::SIGNS;
 use crate::models::kernel_name;
 use crate::run::{flags::Flag, fold::Fold, quantity::Quantity, rules::Element};
 use crate::scenario::Scenario;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// How the key of a direction about the eye's axis ends.
 pub(super) const AZIMUTH: &str = "_azimuth_deg";
 
 /// A number for each result that there is, by its key.
 pub fn by_result(values: &Results) -> Value {
-    let named = values.present().map(|(of, value)| (of.key().to_owned(), json!(value)));
-    named.collect::<Map<String, Value>>().into()
+    values.present().map(|(of, value)| (of.key(), value)).collect()
 }
 
 /// Each limit that is known, in the unit of its result, by its key.
 fn by_limit(limits: &Limits) -> Value {
     let known = limits.iter().filter_map(|(of, limit)| {
         let Limit { value, error } = (*limit)?;
-        Some((of.key().to_owned(), json!({ "value": value, "error": error })))
+        Some((of.key(), json!({ "value": value, "error": error })))
     });
-    known.collect::<Map<String, Value>>().into()
-}
-
-/// When each peak was reached, in ms, by the key of the result.
-fn peak_times(answer: &Answer) -> Value {
-    let timed = Quantity::ALL.iter().filter_map(|of| {
-        let peak = answer.peak(*of)?;
-        Some((of.key().to_owned(), json!(peak.time * 1e3)))
-    });
-    timed.collect::<Map<String, Value>>().into()
+    known.collect()
 }
 
 /// How far the results may be off.
 fn errors(errors: &Errors) -> Value {
+    let unknown = errors.without_limit().map(Quantity::key);
     json!({
         "time_step_percent": errors.time_step_percent(),
         "mesh_percent": errors.mesh_percent(),
@@ -49,9 +39,7 @@ fn errors(errors: &Errors) -> Value {
         "time_step_percent_by_result": by_result(&errors.time_step),
         "mesh_percent_by_result": errors.mesh.as_ref().map(by_result),
         "mesh_limit_by_result": errors.limits.as_ref().map(by_limit),
-        "mesh_limit_unknown": errors.mesh.map(|_| {
-            errors.without_limit().map(Quantity::key).collect::<Vec<_>>()
-        }),
+        "mesh_limit_unknown": errors.mesh.map(|_| unknown.collect::<Value>()),
     })
 }
 
@@ -70,14 +58,10 @@ fn folded(fold: &Fold) -> Value {
     })
 }
 
-/// The flags as JSON.
 pub(super) fn flags(flags: &[Flag]) -> Value {
     let one = |flag: &Flag| {
-        json!({
-            "kind": flag.kind.name(),
-            "message": flag.whole(),
-            "time_ms": flag.time.map(|t| t * 1e3),
-        })
+        let (kind, ms) = (flag.kind.name(), flag.time.map(|time| time * 1e3));
+        json!({ "kind": kind, "message": flag.whole(), "time_ms": ms })
     };
     flags.iter().map(one).collect()
 }
@@ -89,9 +73,8 @@ pub(super) fn evaluations(element: Element) -> String {
 
 /// The keys of the results that the end of the run cut off in this way.
 pub(super) fn cut(answer: &Answer, how: Cut) -> Vec<&'static str> {
-    let present = answer.results();
-    let present = present.present().filter(|(of, _)| answer.cut(*of) == Some(how));
-    present.map(|(of, _)| of.key()).collect()
+    let is_cut = |(of, _): &(Quantity, f64)| answer.cut(*of) == Some(how);
+    answer.results().present().filter(is_cut).map(|(of, _)| of.key()).collect()
 }
 
 /// An answer as one object; `reasons` say how its numerics were chosen.
@@ -125,7 +108,8 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "no_risks_because": answer.silence(),
         "signs": SIGNS,
     });
-    object["results"]["peak_time_ms_by_result"] = peak_times(answer);
+    let timed = |of: &Quantity| Some((of.key(), answer.peak(*of)?.time * 1e3));
+    object["results"]["peak_time_ms_by_result"] = Quantity::ALL.iter().filter_map(timed).collect();
     let side = scenario.eye_side();
     for detail in &answer.run.details {
         object["results"][detail.key] = json!(detail.value);
@@ -134,9 +118,9 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             object["results"][format!("{place}_clock_h")] = json!(hour);
         }
     }
-    if let Some(object_of) = scenario.projectile() {
-        let direction = object_of.direction(side);
-        object["direction"] = json!(direction.unwrap_or_else(|| "straight on".to_owned()));
+    if let Some(projectile) = scenario.projectile() {
+        let direction = projectile.direction(side);
+        object["direction"] = direction.unwrap_or_else(|| "straight on".to_owned()).into();
     }
     object
 }

@@ -18,15 +18,14 @@ const LATEST: f64 = 5.0;
 /// The time that is said rises only where the work takes this many times as long.
 const LONGER: f64 = 1.5;
 
-/// The pace of some work.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Pace {
     /// The share done at the first report, and its time, in s.
     first: Option<(f64, f64)>,
     /// The share done last.
-    share: f64,
-    /// The place in [`SAID`] of the time that is said.
-    said: Option<usize>,
+    pub share: f64,
+    /// How long the rest takes, in s and as it is said, once that is known.
+    pub left: Option<f64>,
     /// How much is done in 1 s, once that is known.
     rate: Option<f64>,
 }
@@ -48,24 +47,14 @@ impl Pace {
         self.rate = Some(done / took);
         let left = (1.0 - share) * took / done;
         let near = near(left);
-        let keeps = |said: usize| near > said && left < LONGER * SAID[said];
-        self.said = Some(self.said.filter(|said| keeps(*said)).unwrap_or(near));
+        let keeps = |said: &f64| near > *said && left < LONGER * said;
+        self.left = Some(self.left.filter(keeps).unwrap_or(near));
     }
 
     /// How long it takes until this share is done, in words, once that is known.
     pub fn until(&self, share: f64) -> Option<String> {
         let left = (share - self.share).max(0.0) / self.rate?;
-        Some(time(SAID[near(left)]))
-    }
-
-    /// How long the rest takes, in s and as it is said, once that is known.
-    pub fn left(&self) -> Option<f64> {
-        self.said.map(|said| SAID[said])
-    }
-
-    /// The share done.
-    pub fn share(&self) -> f64 {
-        self.share
+        Some(time(near(left)))
     }
 
     /// The progress as a count of pieces where they are counted, else in %.
@@ -79,18 +68,14 @@ impl Pace {
 
     /// The progress, and how long the rest takes, once that is known.
     pub fn words(&self, of: Option<usize>) -> String {
-        let done = self.done(of);
-        match self.left() {
-            Some(left) => format!("{done}, {}", time(left)),
-            None => done,
-        }
+        let left = self.left.map_or_else(String::new, |left| format!(", {}", time(left)));
+        self.done(of) + &left
     }
 }
 
-/// The place in [`SAID`] of the least that is no less than this, in s.
-fn near(left: f64) -> usize {
-    let at = SAID.iter().position(|said| left <= *said);
-    at.unwrap_or(SAID.len() - 1)
+/// The least time of [`SAID`] that is no less than this, in s.
+fn near(left: f64) -> f64 {
+    SAID.into_iter().find(|said| left <= *said).unwrap_or(SAID[SAID.len() - 1])
 }
 
 fn time(seconds: f64) -> String {

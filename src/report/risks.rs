@@ -1,11 +1,11 @@
 //! The answer first: one line an injury, in text and as JSON, and what it rests on.
 
 use crate::answer::solve::Answer;
-use crate::injury::{A_BB, AT_LEAST, Blow, EnergyCurve, Equivalent, Injury, Risk, SIGNS, whole};
+use crate::injury::{A_BB, AT_LEAST, EnergyCurve, Equivalent, Injury, Risk, SIGNS, whole};
 use crate::report::figure::Figure;
-use crate::report::format::{block, paragraph};
+use crate::report::format::{block, paragraph, significant};
 use crate::run::quantity::Quantity;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// What to say of each injury, under its name, and last what holds for all of them; in one line why
@@ -15,14 +15,13 @@ pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
         return vec![("injuries", silence.to_owned())];
     }
     let risks = answer.risks();
-    let of_all = |note: &&&str| risks.iter().all(|risk| risk.notes.contains(*note));
-    let first = risks.iter().take(1).flat_map(|risk| &risk.notes);
-    let of_all: Vec<&str> = first.filter(of_all).copied().collect();
-    let line = |risk: &Risk| (risk.injury.name(), risk.words_but(&of_all));
+    let shared = |note: &&&str| risks.iter().all(|risk| risk.notes.contains(*note));
+    let first = risks.first().into_iter().flat_map(|risk| &risk.notes);
+    let shared: Vec<&str> = first.filter(shared).copied().collect();
+    let line = |risk: &Risk| (risk.injury.name(), risk.words_but(&shared));
     let mut lines: Vec<(&'static str, String)> = risks.iter().map(line).collect();
     let spoiled = answer.spoiled().map(|spoiled| format!("{}: {}", spoiled.why, spoiled.next));
-    let of_all: Vec<String> =
-        spoiled.into_iter().chain(of_all.into_iter().map(String::from)).collect();
+    let of_all: Vec<&str> = spoiled.as_deref().into_iter().chain(shared).collect();
     if !of_all.is_empty() {
         lines.push(("all of them", of_all.join("; ")));
     }
@@ -37,12 +36,10 @@ pub fn legend<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> Option<&'sta
 /// The gravest of [`lines`] in one sentence.
 pub fn first_line(answer: &Answer) -> String {
     let said = lines(answer);
-    let one = |(name, words): &(&str, String)| format!("{name}: {words}");
-    let mut all: Vec<String> = said.iter().take(1).map(one).collect();
-    if answer.spoiled().is_some() && said.len() > 1 {
-        all.extend(said.last().map(|(_, words)| words.clone()));
-    }
-    all.join("; ")
+    let (name, words) = &said[0];
+    let of_all = said.last().filter(|_| answer.spoiled().is_some() && said.len() > 1);
+    let of_all = of_all.map_or_else(String::new, |(_, words)| format!("; {words}"));
+    format!("{name}: {words}{of_all}")
 }
 
 /// What the ranges do not hold yet, in words; none where they hold all.
@@ -61,13 +58,11 @@ pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
 
 /// Prints a line for each injury and the signs that count more than any of them.
 pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    for (name, words) in lines(answer) {
-        paragraph(&format!("{name}: {words}"), out)?;
-    }
+    let mut lines = lines(answer).into_iter();
+    lines.try_for_each(|(name, words)| paragraph(&format!("{name}: {words}"), out))?;
     if answer.silence().is_none() {
-        let missing = uncounted(answer);
-        let missing = missing.map_or_else(String::new, |missing| format!(", without {missing}"));
-        paragraph(&format!("(ranges of 80 %{missing}; {A_BB})"), out)?;
+        let missing = uncounted(answer).map(|missing| format!(", without {missing}"));
+        paragraph(&format!("(ranges of 80 %{}; {A_BB})", missing.unwrap_or_default()), out)?;
     }
     paragraph(SIGNS, out)
 }
@@ -75,58 +70,38 @@ pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
 /// Prints what each risk rests on; nothing where there are none.
 pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let risks = answer.risks();
-    if risks.is_empty() {
-        return Ok(());
+    if !risks.is_empty() {
+        writeln!(out, "\nWhat the risks rest on, beside the index and not part of it:")?;
     }
-    writeln!(out, "\nWhat the risks rest on, beside the index and not part of it:")?;
-    for risk in &risks {
-        for line in basis(answer, risk) {
-            block(&line, "  ", "      ", out)?;
-        }
-    }
-    Ok(())
+    let lines: Vec<String> = risks.iter().flat_map(|risk| basis(answer, risk)).collect();
+    lines.iter().try_for_each(|line| block(line, "  ", "      ", out))
 }
 
-/// What one risk rests on, a sentence each: what its tissue felt, and the published curves.
+/// What one risk rests on, a sentence each: what its tissue felt, and what the published curves say
+/// of the energy of the blow.
 pub fn basis(answer: &Answer, risk: &Risk) -> Vec<String> {
     let (injury, measure) = (risk.injury, risk.injury.measure());
     let (curve, row) = (injury.curve(), measure.row());
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
-    let half = crate::report::format::significant(curve.half * row.factor);
-    let mut lines = vec![format!(
-        "{}: {} {felt}, 50 % at {half} {}, matched to {}",
-        injury.name(),
-        row.label,
-        row.unit,
-        curve.matched
-    )];
-    lines.extend(published(injury, &answer.case.blow));
-    lines
-}
-
-/// What the published curves of an injury say of the energy of a blow.
-fn published(injury: Injury, blow: &Blow) -> Vec<String> {
-    let Some(energy) = blow.energy else {
-        return Vec::new();
-    };
-    let said = |curve: &EnergyCurve| {
-        let slope = if curve.slope_known { "" } else { "; slope assumed" };
-        format!(
-            "by energy alone {} ({:.1} of {:.1} kJ/m2): {}{slope}",
-            whole(curve.risk(energy)),
-            energy * 1e-3,
-            curve.half * 1e-3,
-            curve.source,
-        )
-    };
-    EnergyCurve::of(injury).map(said).collect()
+    let (name, half) = (injury.name(), significant(curve.half * row.factor));
+    let (label, unit, matched) = (row.label, row.unit, curve.matched);
+    let felt = format!("{name}: {label} {felt}, 50 % at {half} {unit}, matched to {matched}");
+    let published = answer.case.blow.energy.into_iter().flat_map(|energy| {
+        EnergyCurve::of(injury).map(move |curve| {
+            let slope = if curve.slope_known { "" } else { "; slope assumed" };
+            let (risk, source) = (whole(curve.risk(energy)), curve.source);
+            let [energy, half] = [energy, curve.half].map(|joule| joule * 1e-3);
+            format!("by energy alone {risk} ({energy:.1} of {half:.1} kJ/m2): {source}{slope}")
+        })
+    });
+    std::iter::once(felt).chain(published).collect()
 }
 
 /// The risks as one object, a member for each injury.
 pub fn json(answer: &Answer) -> Value {
     let one = |risk: &Risk| {
         let (measure, blow) = (risk.injury.measure(), &answer.case.blow);
-        let curves = EnergyCurve::of(risk.injury).map(|curve| {
+        let curve = |curve: &EnergyCurve| {
             json!({
                 "source": curve.source,
                 "data": curve.data,
@@ -134,8 +109,8 @@ pub fn json(answer: &Answer) -> Value {
                 "slope_published": curve.slope_known,
                 "percent": blow.energy.map(|energy| 100.0 * curve.risk(energy)),
             })
-        });
-        let value = json!({
+        };
+        let object = json!({
             "percent": risk.usable.then_some(100.0 * risk.risk),
             "low_percent": 100.0 * risk.range.0,
             "high_percent": 100.0 * risk.range.1,
@@ -151,11 +126,11 @@ pub fn json(answer: &Answer) -> Value {
             "half_at": risk.injury.curve().half * measure.row().factor,
             "notes": risk.notes,
             "text": risk.words(),
-            "published": curves.collect::<Vec<_>>(),
+            "published": EnergyCurve::of(risk.injury).map(curve).collect::<Value>(),
         });
-        (risk.injury.key().to_owned(), value)
+        (risk.injury.key(), object)
     };
-    answer.risks().iter().map(one).collect::<Map<_, _>>().into()
+    answer.risks().iter().map(one).collect()
 }
 
 #[cfg(test)]
@@ -176,24 +151,21 @@ mod tests {
     #[test]
     fn every_injury_has_a_line_a_range_and_what_it_rests_on() {
         let bb = answered(&preset("bb-56", &[]));
-        let page = printed(&bb);
+        let (page, object) = (printed(&bb), json(&bb));
         for injury in Injury::ALL {
             assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
+            let risk = &object[injury.key()];
+            assert!(risk["low_percent"].as_f64() <= risk["percent"].as_f64());
+            assert!(risk["percent"].as_f64() <= risk["high_percent"].as_f64());
         }
-        for words in ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"]
-        {
+        let more = ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"];
+        for words in more {
             assert!(page.contains(words), "{words} in\n{page}");
         }
         let cell = range(&bb, Quantity::GlobeRupture).unwrap();
         let risk = bb.risk(Injury::GlobeRupture).unwrap();
         assert_eq!(format!("{cell} %"), risk.percent());
         assert_eq!(range(&bb, Quantity::Pressure), None);
-        let object = json(&bb);
-        for injury in Injury::ALL {
-            let risk = &object[injury.key()];
-            assert!(risk["low_percent"].as_f64() <= risk["percent"].as_f64());
-            assert!(risk["percent"].as_f64() <= risk["high_percent"].as_f64());
-        }
     }
 
     #[test]

@@ -1,28 +1,33 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
+use crate::answer::brief::BriefAnswer;
 use crate::injury::Injury;
 use crate::many::sweep::{Sweep, SweepRow, fnv1a};
 use crate::plain_text::cell;
 use crate::run::quantity::Quantity;
 use crate::scenario::fields;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
-/// How rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SweepFormat {
     /// Comma-separated values below a comment and a heading.
     Csv,
-    /// One JSON object a line.
     Json,
 }
 
-/// The columns of the range of a risk.
-fn range_keys(injury: Injury) -> [String; 2] {
-    ["low", "high"].map(|end| format!("{}_{end}_percent", injury.key()))
+/// Each result of a row by its key, then the ends of the range of each risk.
+fn figures(point: Option<&BriefAnswer>) -> impl Iterator<Item = (String, Option<f64>)> {
+    let value = move |of: Quantity| point?.values[of].filter(|v| v.is_finite());
+    let results = Quantity::ALL.iter().map(move |of| (of.key().to_owned(), value(*of)));
+    let ranges = Injury::ALL.iter().flat_map(move |injury| {
+        let range = point.and_then(|point| point.ranges).map(|ranges| ranges[*injury as usize]);
+        let ends = [("low", range.map(|(low, _)| low)), ("high", range.map(|(_, high)| high))];
+        ends.map(|(end, share)| {
+            (format!("{}_{end}_percent", injury.key()), share.map(|share| 100.0 * share))
+        })
+    });
+    results.chain(ranges)
 }
-
-/// Columns after the results and the ranges of risks.
-const LAST: [&str; 4] = ["step_error_percent", "flags", "refused", "sum"];
 
 fn csv(cells: &[String]) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -40,9 +45,9 @@ impl SweepFormat {
             Self::Csv => {
                 let mut columns = vec!["row".to_owned()];
                 columns.extend(paths.iter().map(|path| (*path).to_owned()));
-                columns.extend(Quantity::ALL.iter().map(|of| of.key().to_owned()));
-                columns.extend(Injury::ALL.iter().flat_map(|injury| range_keys(*injury)));
-                columns.extend(LAST.map(str::to_owned));
+                columns.extend(figures(None).map(|(key, _)| key));
+                columns
+                    .extend(["step_error_percent", "flags", "refused", "sum"].map(str::to_owned));
                 let rows = sweep.rows();
                 format!("# contrecoup sweep {mark} of {rows} rows\n{}", csv(&columns))
             }
@@ -54,49 +59,28 @@ impl SweepFormat {
 
     /// One line for a row of the sweep.
     pub fn row(self, sweep: &Sweep, row: &SweepRow) -> String {
-        let point = row.outcome.as_ref().ok();
-        let flags: Vec<&str> =
-            point.map_or(Vec::new(), |p| p.flags.iter().map(|f| f.name()).collect());
+        let (point, refused) = (row.outcome.as_ref().ok(), row.outcome.as_ref().err());
+        let flags: Vec<&str> = point.iter().flat_map(|p| &p.flags).map(|f| f.name()).collect();
         let error = point.and_then(|p| p.check).map(|check| check.last);
-        let value = |of: Quantity| point?.values[of].filter(|v| v.is_finite());
-        let refused = row.outcome.as_ref().err();
-        let range = |injury: Injury| match point.and_then(|point| point.ranges) {
-            Some(ranges) => {
-                let (low, high) = ranges[injury as usize];
-                [Some(100.0 * low), Some(100.0 * high)]
-            }
-            None => [None; 2],
-        };
         match self {
             Self::Csv => {
                 let number = |v: Option<f64>| v.map_or_else(String::new, |v| v.to_string());
                 let mut cells = vec![row.number.to_string()];
                 cells.extend(row.values.iter().map(|value| cell(value)));
-                cells.extend(Quantity::ALL.iter().map(|of| number(value(*of))));
-                cells.extend(Injury::ALL.iter().flat_map(|of| range(*of).map(number)));
+                cells.extend(figures(point).map(|(_, value)| number(value)));
                 cells.extend([number(error), flags.join(";")]);
                 // A message of several lines would break the row.
                 cells.push(refused.map_or_else(String::new, |why| cell(&why.replace('\n', "; "))));
                 self.summed(sweep, csv(&cells).trim_end())
             }
             Self::Json => {
-                let mut varied = Map::new();
-                for (axis, text) in sweep.axes().iter().zip(&row.values) {
-                    varied.insert(axis.path.clone(), typed(&axis.path, text));
-                }
-                let mut results = Map::new();
-                for &quantity in Quantity::ALL {
-                    results.insert(quantity.key().to_owned(), json!(value(quantity)));
-                }
-                for &injury in Injury::ALL {
-                    for (key, end) in range_keys(injury).into_iter().zip(range(injury)) {
-                        results.insert(key, json!(end));
-                    }
-                }
+                let varied = sweep.axes().iter().zip(&row.values);
+                let varied =
+                    varied.map(|(axis, text)| (axis.path.as_str(), typed(&axis.path, text)));
                 let object = json!({
                     "row": row.number,
-                    "varied": varied,
-                    "results": point.map(|_| results),
+                    "varied": varied.collect::<Value>(),
+                    "results": point.map(|_| figures(point).collect::<Value>()),
                     "step_error_percent": error,
                     "flags": flags,
                     "refused": refused,

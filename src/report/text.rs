@@ -1,19 +1,16 @@
 //! Results as text for a terminal of 80 columns.
 
-use crate::report::figure::{
-    Figure, PARTS, SCALE, cut_signs, error_signs, times_its_limit, unusable, with_unit,
-};
-use crate::report::format::{WIDTH, block, capital, digits, paragraph, percent, significant};
-use crate::report::json::AZIMUTH;
-use crate::report::{errors, limit};
-
-use crate::answer::results::Results;
-use crate::answer::solve::{Answer, Errors};
+use crate::answer::{results::Results, solve::Answer};
 use crate::plain_text::printable;
+use crate::report::figure::{Figure, PARTS, SCALE, cut_signs, error_signs};
+use crate::report::figure::{here_and_in_the_limit, times_its_limit, unusable, with_unit};
+use crate::report::format::{
+    WIDTH, block, capital, digits, paragraph, percent, significant, wrapped,
+};
+use crate::report::{json::AZIMUTH, risks};
 use crate::run::model::{Detail, Shown};
 use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
-use crate::scenario::{Projectile, Scenario};
-use crate::scenario::{direction::o_clock, problem::plain};
+use crate::scenario::{Scenario, direction::o_clock, problem::plain};
 use std::io::{self, Write};
 
 /// Results under headings, by what their traces are shown with.
@@ -25,21 +22,14 @@ const GROUPS: [(&str, &[Group]); 5] = [
     ("Forces of single nodes", &[Group::NodeForces]),
 ];
 
-/// Prints the results of an answer.
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let eye = &answer.case.eye;
     writeln!(out, "{}", printable(&scenario.name))?;
-    let model = format!(
-        "{}; mesh level {}: {} nodes, {} {}",
-        scenario.description(),
-        eye.level(),
-        eye.regions().len(),
-        eye.elements(),
-        eye.rules().element.plural()
-    );
-    paragraph(&model, out)?;
+    let (level, nodes, elements) = (eye.level(), eye.regions().len(), eye.elements());
+    let (what, kind) = (scenario.description(), eye.rules().element.plural());
+    paragraph(&format!("{what}; mesh level {level}: {nodes} nodes, {elements} {kind}"), out)?;
     writeln!(out)?;
-    crate::report::risks::text(answer, out)?;
+    risks::text(answer, out)?;
     writeln!(out)?;
     damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.
@@ -47,28 +37,27 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     let missed = |of: &Quantity| *of == Quantity::Contact && answer.run.missed;
     let listed = |of: &&Quantity| !above.contains(of) && !missed(of) && !of.is_risk();
     for (title, groups) in GROUPS {
-        let mut lines = Vec::new();
-        for &quantity in Quantity::ALL.iter().filter(listed) {
-            let group = quantity.row().trace.map(|trace| trace.place.0);
-            if group.is_some_and(|group| groups.contains(&group))
-                && let (Some(peak), Some(figure)) =
-                    (answer.peak(quantity), Figure::of(answer, quantity))
+        let mut lines: Vec<String> = Vec::new();
+        for &of in Quantity::ALL.iter().filter(listed) {
+            if let Some(trace) = of.row().trace
+                && groups.contains(&trace.place.0)
+                && let (Some(peak), Some(figure)) = (answer.peak(of), Figure::of(answer, of))
             {
-                let when = remark(scenario, answer, quantity);
-                let when = format!("at {:.3} ms{when}", peak.time * 1e3);
-                row(&capital(quantity.row().label), &figure, &when, &mut lines)?;
+                let when = format!("at {:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of));
+                lines.push(row(&capital(of.row().label), &figure, &when));
             }
         }
         if groups.contains(&Group::Projectile) {
-            rebound(scenario, answer, &mut lines)?;
+            lines.extend(rebound(scenario, answer));
         }
         if !lines.is_empty() {
-            writeln!(out, "{title}")?;
-            out.write_all(&lines)?;
-            writeln!(out)?;
+            writeln!(out, "{title}\n{}\n", lines.join("\n"))?;
         }
     }
-    signs(answer, out)?;
+    writeln!(out, "{}", error_signs(answer))?;
+    if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
+        writeln!(out, "{}", cut_signs(std::iter::once(answer)))?;
+    }
     for detail in &answer.run.details {
         let (label, figure, words) = match &detail.shown {
             Shown::OnLine(label, words) => (label, significant(detail.value), words),
@@ -77,8 +66,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
         };
         writeln!(out, "{label:<18} {figure:>9} {words}")?;
     }
-    crate::report::risks::evidence(answer, out)?;
-    Ok(())
+    risks::evidence(answer, out)
 }
 
 /// The words behind a peak and its time, with the clock hour where the place has one.
@@ -99,12 +87,10 @@ pub(super) fn remark(scenario: &Scenario, answer: &Answer, of: Quantity) -> Stri
     answer.run.details.iter().find_map(behind).unwrap_or_default()
 }
 
-/// Prints how fast the object goes on or back.
-fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    let figure = Figure::of(answer, Quantity::Rebound);
-    let (Some(projectile), Some(mut figure)) = (scenario.projectile(), figure) else {
-        return Ok(());
-    };
+/// How fast the object goes on or back, and which of its figures come from no checked source.
+fn rebound(scenario: &Scenario, answer: &Answer) -> Vec<String> {
+    let Some(projectile) = scenario.projectile() else { return Vec::new() };
+    let Some(mut figure) = Figure::of(answer, Quantity::Rebound) else { return Vec::new() };
     let label = match figure.number.strip_prefix('-') {
         Some(on) => {
             figure.number = on.to_owned();
@@ -114,25 +100,24 @@ fn rebound(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Res
         }
         None => "Rebound speed",
     };
-    row(label, &figure, &format!("of {} m/s", projectile.speed_m_s), out)?;
-    unverified(projectile, out)
+    let mut lines = vec![row(label, &figure, &format!("of {} m/s", projectile.speed_m_s))];
+    if !projectile.unverified.is_empty() {
+        let unverified = projectile.unverified.join(", ");
+        lines.extend(wrapped(&format!("Unverified figures: {unverified}"), WIDTH));
+    }
+    lines
 }
 
 /// A row of a result: its name, the figure, and what else is to be said.
-pub(super) fn row(name: &str, figure: &Figure, more: &str, out: &mut dyn Write) -> io::Result<()> {
-    let line = format!(
-        "{name:<19} {:>8} {:<3} {:<8} {more}",
-        figure.cell(),
-        figure.unit,
-        figure.off.to_string()
-    );
+pub(super) fn row(name: &str, figure: &Figure, more: &str) -> String {
+    let (cell, unit, off) = (figure.cell(), figure.unit, figure.off.to_string());
+    let line = format!("{name:<19} {cell:>8} {unit:<3} {off:<8} {more}");
     let line = line.trim_end();
+    let is_long = line.chars().count() > WIDTH;
     match line.split_once(", ") {
         // Where it happened may need a line of its own.
-        Some((when, place)) if line.chars().count() > WIDTH => {
-            writeln!(out, "{when},\n{:12}{place}", "")
-        }
-        _ => writeln!(out, "{line}"),
+        Some((when, place)) if is_long => format!("{when},\n{:12}{place}", ""),
+        _ => line.to_owned(),
     }
 }
 
@@ -142,96 +127,87 @@ fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
         paragraph(&format!("{why}; raw figures:"), out)?;
     }
     if let Some(index) = Figure::of(answer, Quantity::Damage) {
-        row("Damage index", &index, &format!("({SCALE})"), out)?;
+        writeln!(out, "{}", row("Damage index", &index, &format!("({SCALE})")))?;
     }
     for (of, term) in PARTS {
-        let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) else {
-            continue;
-        };
-        let times = times_its_limit(&figure, value, term);
-        let limit = with_unit(&term.threshold.to_string(), figure.unit);
-        row(&format!("  {}", of.row().label), &figure, &format!("{times} of {limit}"), out)?;
+        if let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) {
+            let times = times_its_limit(&figure, value, term);
+            let limit = with_unit(&term.threshold.to_string(), figure.unit);
+            let (name, more) = (format!("  {}", of.row().label), format!("{times} of {limit}"));
+            writeln!(out, "{}", row(&name, &figure, &more))?;
+        }
     }
     writeln!(out)
 }
 
-/// What the signs behind the figures mean.
-fn signs(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{}", error_signs(answer))?;
-    if Quantity::ALL.iter().any(|of| answer.cut(*of).is_some()) {
-        writeln!(out, "{}", cut_signs(std::iter::once(answer)))?;
-    }
-    Ok(())
-}
-
-/// Names the figures of an object that come from no source that was checked.
-fn unverified(input: &Projectile, out: &mut dyn Write) -> io::Result<()> {
-    if input.unverified.is_empty() {
-        return Ok(());
-    }
-    let text = format!("Unverified figures: {}", input.unverified.join(", "));
-    block(&text, "", "", out)
-}
-
-/// Prints what finer meshes tend to, and which results they do not agree on.
-fn limits(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
-        writeln!(out, "Damage index: {limit}")?;
-    }
-    let unknown = limit::unknown(answer).unwrap_or_default();
-    block(&unknown, "", "", out)
-}
-
 /// Prints how far the results may be trusted, and how they were computed.
 pub fn trust(answer: &Answer, reasons: &[String], out: &mut dyn Write) -> io::Result<()> {
-    numerical(&answer.errors, out)?;
-    limits(answer, out)?;
-    let balance = percent(answer.errors.energy_balance);
-    writeln!(out, "Energy balance: within {balance}")?;
-    writeln!(
-        out,
-        "Solved in {:.2} ms by {}: {} steps of {:.4} us{},\nstable up to {:.4} us",
-        answer.solve_time.as_secs_f64() * 1e3,
-        answer.plan.integrator.name(),
-        answer.run.cost.steps,
-        answer.step * 1e6,
-        if answer.case.rules().step_follows_motion { " at rest" } else { "" },
-        answer.step_limit * 1e6,
-    )?;
+    let (errors, rules) = (&answer.errors, answer.case.rules());
+    writeln!(out, "\nStep error: {}", said(&errors.time_step))?;
+    if let Some(other) = largest_other(&errors.time_step) {
+        writeln!(out, "  beside the leading results up to {other}")?;
+    }
+    let mesh = errors.mesh.as_ref().map_or_else(|| "not estimated".to_owned(), said);
+    writeln!(out, "Mesh error: {mesh}")?;
+    if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
+        writeln!(out, "Damage index: {limit}")?;
+    }
+    block(&unknown_limits(answer), "", "", out)?;
+    writeln!(out, "Energy balance: within {}", percent(errors.energy_balance))?;
+    let (ms, integrator) = (answer.solve_time.as_secs_f64() * 1e3, answer.plan.integrator.name());
+    let [step, limit] = [answer.step, answer.step_limit].map(|step| step * 1e6);
+    let rest = if rules.step_follows_motion { " at rest" } else { "" };
+    write!(out, "Solved in {ms:.2} ms by {integrator}: {} steps ", answer.run.cost.steps)?;
+    writeln!(out, "of {step:.4} us{rest},\nstable up to {limit:.4} us")?;
     let at = answer.run.simulated;
-    let why = if answer.pressed_flat() {
-        "the eye was pressed flat, and there the model ends"
-    } else {
-        answer.case.rules().ends_early
-    };
+    let flat = "the eye was pressed flat, and there the model ends";
+    let why = if answer.pressed_flat() { flat } else { rules.ends_early };
     if answer.case.ends_by_itself() && !answer.has(FlagKind::WindowCapped) {
         writeln!(out, "Stopped at {:.3} ms: {why}", at * 1e3)?;
     } else if at < 0.999_999 * answer.window() {
         let window = plain((answer.window() * 1e9).round() / 1e6);
         writeln!(out, "Stopped at {:.3} of {window} ms: {why}", at * 1e3)?;
     }
-    for reason in reasons {
-        writeln!(out, "  {reason}")?;
-    }
+    reasons.iter().try_for_each(|reason| writeln!(out, "  {reason}"))?;
     for flag in &answer.flags {
         paragraph(&format!("FLAG {}: {}", flag.kind.name(), flag.whole()), out)?;
     }
     Ok(())
 }
 
-/// Prints the errors of step and mesh.
-fn numerical(of: &Errors, out: &mut dyn Write) -> io::Result<()> {
-    let said = |of: &Results| {
-        let (damage, worst) = (errors::of_damage(of), errors::worst(of));
-        format!("damage index {damage}, worst {worst}")
-    };
-    writeln!(out, "\nStep error: {}", said(&of.time_step))?;
-    if let Some(other) = errors::largest_other(&of.time_step) {
-        writeln!(out, "  beside the leading results up to {other}")?;
+/// The error of the damage index, and the largest of a leading result with its name, in words.
+fn said(errors: &Results) -> String {
+    let unknown = || "unknown".to_owned();
+    let damage = errors[Quantity::Damage].map_or_else(unknown, percent);
+    let worst = errors.worst().map_or_else(unknown, named);
+    format!("damage index {damage}, worst {worst}")
+}
+
+/// The largest error of a result that does not lead; none if a leading one is larger.
+fn largest_other(errors: &Results) -> Option<String> {
+    let largest = errors.present().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (largest.1 > errors.worst()?.1).then(|| named(largest))
+}
+
+/// The results that finer meshes do not agree on, in a sentence; empty where the mesh error was
+/// not estimated or all have one.
+fn unknown_limits(answer: &Answer) -> String {
+    let Some(mesh) = &answer.errors.mesh else { return String::new() };
+    let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
+    if answer.pressed_flat() {
+        "No eye was tested so hard, so no error is stated".to_owned()
+    } else if mesh.present().next().is_none() {
+        "Finer meshes agree on no result".to_owned()
+    } else if names.is_empty() {
+        String::new()
+    } else {
+        format!("Finer meshes do not agree on {}", names.join("; "))
     }
-    let mesh = of.mesh.as_ref();
-    let mesh = mesh.map_or_else(|| "not estimated".to_owned(), said);
-    writeln!(out, "Mesh error: {mesh}")
+}
+
+/// An error with its result.
+fn named((of, error): (Quantity, f64)) -> String {
+    format!("{} ({})", percent(error), of.label())
 }
 
 #[cfg(test)]
@@ -239,6 +215,20 @@ mod tests {
     use super::*;
     use crate::answer::solve::tests::answered;
     use crate::scenario::library::tests::preset;
+
+    #[test]
+    fn the_worst_of_the_leading_results_is_named() {
+        let mut errors = Results::from_fn(|_| None);
+        assert_eq!(said(&errors), "damage index unknown, worst unknown");
+        errors[Quantity::Damage] = Some(0.5);
+        errors[Quantity::ForceTop] = Some(2.0);
+        assert_eq!(said(&errors), "damage index 0.50 %, worst 2.0 % (peak force, top)");
+        errors[Quantity::Contact] = Some(1.0);
+        assert_eq!(said(&errors), "damage index 0.50 %, worst 1.0 % (contact force)");
+        assert_eq!(largest_other(&errors).unwrap(), "2.0 % (peak force, top)");
+        errors[Quantity::Contact] = Some(3.0);
+        assert_eq!(largest_other(&errors), None);
+    }
 
     #[test]
     fn places_around_the_eye_have_clock_hours_in_text_and_data() {

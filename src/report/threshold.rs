@@ -7,74 +7,63 @@ use serde_json::{Value, json};
 use crate::injury::{A_BB, SIGNS, whole};
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
-use crate::report::figure::{allowing, with_unit as united};
+use crate::report::figure::{allowing, with_unit};
 use crate::report::format::{block, capital, digits, paragraph, significant};
 use crate::report::json::flags;
 use crate::scenario::Scenario;
-
-/// A text with the unit of the field that is varied.
-fn with_unit(search: &ThresholdSearch, text: &str) -> String {
-    united(text, search.field.unit)
-}
 
 /// Where the result passes the value, no finer than it is known.
 fn at(search: &ThresholdSearch, crossing: &Crossing) -> String {
     let curves = crossing.risk.as_ref().map(|there| there.range);
     let width = curves.and_then(|(from, to)| Some(0.5 * (to? - from?)));
-    let largest = [crossing.step, crossing.mesh, width];
-    let largest = largest.into_iter().flatten().fold(0.0, f64::max);
-    with_unit(search, &allowing(crossing.at, Some(largest)))
+    let largest = [crossing.step, crossing.mesh, width].into_iter().flatten().fold(0.0, f64::max);
+    with_unit(&allowing(crossing.at, Some(largest)), search.field.unit)
+}
+
+/// The value that the result is to reach.
+fn target(search: &ThresholdSearch) -> String {
+    with_unit(&search.target.to_string(), search.quantity.row().unit)
 }
 
 /// A crossing in one line: `50 % at 61 m/s ± 2`, by the larger error.
 pub fn brief(search: &ThresholdSearch, crossing: &Crossing) -> String {
-    let unit = search.quantity.row().unit;
-    let target = united(&search.target.to_string(), unit);
-    let at = format!("{target} at {}", at(search, crossing));
-    let way = if crossing.rising { "" } else { ", falling" };
-    if let (Some(there), None) = (&crossing.risk, crossing.jump) {
-        let unit = |text: String| with_unit(search, &text);
-        let range = range(there.range, &unit);
-        let range = range.map_or(", range not known".to_owned(), |range| format!(" ({range})"));
-        return format!("{at}{range}{way}");
-    }
-    let off = match (crossing.jump, crossing.step, crossing.mesh) {
-        (Some(_), ..) => ": it jumps there".to_owned(),
-        (None, Some(step), Some(mesh)) => {
-            let off = step.max(mesh);
-            if off > search.range.1 - search.range.0 {
-                ", error beyond the range".to_owned()
-            } else if off > 0.0 {
-                format!(" ± {}", digits(off, 2))
-            } else {
-                String::new()
-            }
-        }
+    let off = match (&crossing.risk, crossing.jump, crossing.step, crossing.mesh) {
+        (Some(there), None, ..) => match range(there.range, search.field.unit) {
+            Some(range) => format!(" ({range})"),
+            None => ", range not known".to_owned(),
+        },
+        (_, Some(_), ..) => ": it jumps there".to_owned(),
+        (_, None, Some(step), Some(mesh)) => match step.max(mesh) {
+            off if off > search.range.1 - search.range.0 => ", error beyond the range".to_owned(),
+            off if off > 0.0 => format!(" ± {}", digits(off, 2)),
+            _ => String::new(),
+        },
         _ => ", error not known".to_owned(),
     };
-    format!("{at}{off}{way}")
+    let way = if crossing.rising { "" } else { ", falling" };
+    format!("{} at {}{off}{way}", target(search), at(search, crossing))
 }
 
 /// The words for a target that is never reached, with the range of the result instead.
 pub fn never(search: &ThresholdSearch, threshold: &Threshold) -> String {
-    let (low, high) = (end(search, threshold, false), end(search, threshold, true));
-    format!("Never: {low} to {high}.")
+    format!("Never: {}.", span(search, threshold))
 }
 
-/// The least or the greatest result that was seen, and where.
-fn end(search: &ThresholdSearch, threshold: &Threshold, highest: bool) -> String {
+/// The least and the greatest result that were seen, and where.
+fn span(search: &ThresholdSearch, threshold: &Threshold) -> String {
     let result = |(at, result): &(f64, Result<f64, String>)| Some((*at, *result.as_ref().ok()?));
-    let sign = if highest { -1.0 } else { 1.0 };
-    let known = threshold.seen.iter().filter_map(result);
-    let (at, value) =
-        known.min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1))).unwrap_or((f64::NAN, f64::NAN));
-    let at = with_unit(search, &significant(at));
-    let value = if search.quantity.is_risk() {
-        whole(0.01 * value)
-    } else {
-        united(&significant(value), search.quantity.row().unit)
-    };
-    format!("{value} at {at}")
+    let ends = [1.0, -1.0].map(|sign| {
+        let known = threshold.seen.iter().filter_map(result);
+        let least = known.min_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)));
+        let (at, value) = least.unwrap_or((f64::NAN, f64::NAN));
+        let value = if search.quantity.is_risk() {
+            whole(0.01 * value)
+        } else {
+            with_unit(&significant(value), search.quantity.row().unit)
+        };
+        format!("{value} at {}", with_unit(&significant(at), search.field.unit))
+    });
+    ends.join(" to ")
 }
 
 /// Prints where the result reaches the value.
@@ -84,103 +73,86 @@ pub fn text(
     threshold: &Threshold,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let row = search.quantity.row();
-    let with_unit = |text: String| with_unit(search, &text);
+    let (row, field, target) = (search.quantity.row(), search.field, target(search));
     writeln!(out, "{}\n", printable(&scenario.name))?;
-    let target = united(&search.target.to_string(), row.unit);
     let what = format!("{} {target}", capital(row.label));
     for crossing in &threshold.crossings {
-        let at = at(search, crossing);
-        let way = if crossing.rising { "rising" } else { "falling" };
-        writeln!(out, "{what} at {at} ({}), {way}", search.field.path)?;
-        let whole = search.range.1 - search.range.0;
-        for line in lines(crossing, whole, row.unit, &with_unit) {
-            writeln!(out, "  {line}")?;
-        }
+        let (at, path) = (at(search, crossing), field.path);
+        writeln!(out, "{what} at {at} ({path}), {}", direction(crossing))?;
+        lines(search, crossing).iter().try_for_each(|line| writeln!(out, "  {line}"))?;
+        let mut more = Vec::new();
         if let Some(there) = &crossing.risk {
-            let holds = match range(there.range, &with_unit) {
+            more.push(match range(there.range, field.unit) {
                 Some(range) => format!("range {range}: the range of the risk holds {target} there"),
                 None => "range not known".to_owned(),
-            };
-            block(&holds, "  ", "    ", out)?;
-            let words =
-                format!("there {}: {}; {A_BB}", there.risk.injury.name(), there.risk.words());
-            block(&words, "  ", "    ", out)?;
+            });
+            let name = there.risk.injury.name();
+            more.push(format!("there {name}: {}; {A_BB}", there.risk.words()));
         }
-        for flag in &crossing.flags {
-            let line = format!("FLAG {}: {}", flag.kind.name(), flag.whole());
-            block(&line, "  ", "    ", out)?;
-        }
+        let flags = crossing.flags.iter();
+        more.extend(flags.map(|flag| format!("FLAG {}: {}", flag.kind.name(), flag.whole())));
+        more.iter().try_for_each(|line| block(line, "  ", "    ", out))?;
     }
+    let from = significant(search.range.0);
+    let to = with_unit(&significant(search.range.1), field.unit);
     match threshold.crossings.len() {
-        0 => {
-            let (from, to) = (significant(search.range.0), significant(search.range.1));
-            writeln!(out, "{what}: not from {from} to {}", with_unit(to))?;
-        }
+        0 => writeln!(out, "{what}: not from {from} to {to}")?,
         1 => writeln!(out)?,
         count => writeln!(out, "\n{count} crossings: it does not only rise or fall")?,
     }
-    writeln!(
-        out,
-        "Looked at {} values from {} to {}:\n{} to {}",
-        threshold.seen.len(),
-        significant(search.range.0),
-        with_unit(significant(search.range.1)),
-        end(search, threshold, false),
-        end(search, threshold, true),
-    )?;
+    writeln!(out, "Looked at {} values from {from} to {to}:", threshold.seen.len())?;
+    writeln!(out, "{}", span(search, threshold))?;
     let refused: Vec<_> = threshold.seen.iter().filter(|(_, r)| r.is_err()).collect();
     if let Some((at, Err(why))) = refused.first() {
-        let at = with_unit(significant(*at));
+        let at = with_unit(&significant(*at), field.unit);
         let text = format!("No result at {} of them, the first {at}: {why}", refused.len());
-        block(&printable(&text), "", "    ", out)?;
+        paragraph(&printable(&text), out)?;
     }
     writeln!(out)?;
     paragraph(SIGNS, out)
 }
 
+fn direction(crossing: &Crossing) -> &'static str {
+    if crossing.rising { "rising" } else { "falling" }
+}
+
 /// Over which values the range of a risk holds the target, with all that is not known.
-fn range(of: (Option<f64>, Option<f64>), with_unit: &dyn Fn(String) -> String) -> Option<String> {
-    Some(match of {
+fn range(of: (Option<f64>, Option<f64>), unit: &str) -> Option<String> {
+    let words = match of {
         (Some(from), Some(to)) => {
             let [from, to] = [from, to].map(|end| allowing(end, Some(0.5 * (to - from))));
-            format!("{from} to {}", with_unit(to))
+            format!("{from} to {}", with_unit(&to, unit))
         }
-        (Some(from), None) => format!("from {} on", with_unit(digits(from, 2))),
-        (None, Some(to)) => format!("up to {}", with_unit(digits(to, 2))),
+        (Some(from), None) => format!("from {} on", with_unit(&digits(from, 2), unit)),
+        (None, Some(to)) => format!("up to {}", with_unit(&digits(to, 2), unit)),
         (None, None) => return None,
-    })
+    };
+    Some(words)
 }
 
 /// A line for the step error and one for the mesh error of a crossing, or one for its jump.
-fn lines(
-    crossing: &Crossing,
-    whole: f64,
-    unit: &str,
-    with_unit: &dyn Fn(String) -> String,
-) -> Vec<String> {
+fn lines(search: &ThresholdSearch, crossing: &Crossing) -> Vec<String> {
     if let Some((from, to)) = crossing.jump {
-        let (from, to) = (significant(from), significant(to));
-        let to = united(&to, unit);
-        return vec![format!("jumps there, from {from} to {to}")];
+        let to = with_unit(&significant(to), search.quantity.row().unit);
+        return vec![format!("jumps there, from {} to {to}", significant(from))];
     }
     if crossing.risk.is_some() {
         return Vec::new();
     }
-    let off = |name: &str, error: Option<f64>| match error {
-        Some(error) if error > whole => format!("{name:<5} ± more than the whole range"),
-        Some(error) => format!("{name:<5} ± {}", with_unit(digits(error, 2))),
-        None => format!("{name:<5} error not known"),
+    let whole = search.range.1 - search.range.0;
+    let off = |(name, error): (&str, Option<f64>)| match error {
+        Some(error) if error > whole => format!("{name} ± more than the whole range"),
+        Some(error) => format!("{name} ± {}", with_unit(&digits(error, 2), search.field.unit)),
+        None => format!("{name} error not known"),
     };
-    vec![off("step", crossing.step), off("mesh", crossing.mesh)]
+    [("step ", crossing.step), ("mesh ", crossing.mesh)].map(off).to_vec()
 }
 
-/// A threshold as one object.
 pub fn json(scenario: &Scenario, search: &ThresholdSearch, threshold: &Threshold) -> Value {
     let crossing = |c: &Crossing| {
         json!({
             "at": c.at,
-            "direction": if c.rising { "rising" } else { "falling" },
+            "direction": direction(c),
             "error": { "time_step": c.step, "mesh": c.mesh },
             "jump": c.jump.map(|(from, to)| json!({ "from": from, "to": to })),
             "flags": flags(&c.flags),
@@ -204,7 +176,7 @@ pub fn json(scenario: &Scenario, search: &ThresholdSearch, threshold: &Threshold
             "to": search.range.1,
         },
         "until": { "result": search.quantity.key(), "value": search.target },
-        "crossings": threshold.crossings.iter().map(crossing).collect::<Vec<_>>(),
-        "looked_at": threshold.seen.iter().map(seen).collect::<Vec<_>>(),
+        "crossings": threshold.crossings.iter().map(crossing).collect::<Value>(),
+        "looked_at": threshold.seen.iter().map(seen).collect::<Value>(),
     })
 }

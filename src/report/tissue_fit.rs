@@ -3,52 +3,36 @@
 use crate::injury::Injury;
 use crate::report::format::{paragraph, significant};
 use crate::verify::tissue_fit::{TissueFit, TissueFits};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Prints each curve as it was found beside the one that is shipped, then what each kind felt.
 pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
-    paragraph(
-        "Curves of injury against what the tissue felt, matched by running the objects behind the \
-         published curves: found (shipped)",
-        out,
-    )?;
-    writeln!(
-        out,
-        "\n{:<19}{:>6} {:>17} {:>16} {:>16}",
-        "", "unit", "50 % at", "eyes differ", "curve known to"
-    )?;
+    let what = "Curves of injury against what the tissue felt, matched by running the objects behind \
+                the published curves: found (shipped)";
+    paragraph(what, out)?;
+    let line = |[name, unit, half, eyes, known]: [&str; 5]| {
+        format!("{name:<19}{unit:>6} {half:>17} {eyes:>16} {known:>16}")
+    };
+    writeln!(out, "\n{}", line(["", "unit", "50 % at", "eyes differ", "curve known to"]))?;
     for fit in &fits.injuries {
         let (row, shipped) = (fit.injury.measure().row(), fit.injury.curve());
         let half = |half: f64| significant(half * row.factor);
-        let pair = |found: String, shipped: String| format!("{found} ({shipped})");
-        writeln!(
-            out,
-            "{:<19}{:>6} {:>17} {:>16} {:>16}",
-            fit.injury.name(),
-            row.unit,
-            pair(half(fit.half), half(shipped.half)),
-            pair(format!("{:.3}", fit.eyes), format!("{:.3}", shipped.eyes)),
-            pair(format!("{:.3}", fit.known), format!("{:.3}", shipped.known)),
-        )?;
+        let half = format!("{} ({})", half(fit.half), half(shipped.half));
+        let eyes = format!("{:.3} ({:.3})", fit.eyes, shipped.eyes);
+        let known = format!("{:.3} ({:.3})", fit.known, shipped.known);
+        writeln!(out, "{}", line([fit.injury.name(), row.unit, &half, &eyes, &known]))?;
     }
     writeln!(out)?;
-    paragraph(
-        "The last two are standard deviations of log10 of the measure. Each kind at the published \
-         energy of 50 %, and the risk that the curve without that kind tells of it:",
-        out,
-    )?;
+    let what = "The last two are standard deviations of log10 of the measure. Each kind at the \
+                published energy of 50 %, and the risk that the curve without that kind tells of it:";
+    paragraph(what, out)?;
     for fit in &fits.injuries {
         let row = fit.injury.measure().row();
         writeln!(out, "\n{}, {} in {}", fit.injury.name(), row.label, row.unit)?;
         for kind in &fit.kinds {
-            writeln!(
-                out,
-                "  {:<14}{:>9}{:>6.0} %",
-                kind.kind.name,
-                significant(kind.felt * row.factor),
-                100.0 * kind.told_by_others
-            )?;
+            let (felt, told) = (significant(kind.felt * row.factor), 100.0 * kind.told_by_others);
+            writeln!(out, "  {:<14}{felt:>9}{told:>6.0} %", kind.kind)?;
         }
     }
     Ok(())
@@ -58,7 +42,7 @@ fn one(fit: &TissueFit) -> Value {
     let (row, shipped) = (fit.injury.measure().row(), fit.injury.curve());
     let kinds = fit.kinds.iter().map(|kind| {
         json!({
-            "kind": kind.kind.name,
+            "kind": kind.kind,
             "felt": kind.felt * row.factor,
             "told_by_others_percent": 100.0 * kind.told_by_others,
         })
@@ -77,23 +61,18 @@ fn one(fit: &TissueFit) -> Value {
             "known_to": shipped.known,
             "data_end": shipped.end * row.factor,
         },
-        "kinds": kinds.collect::<Vec<_>>(),
+        "kinds": kinds.collect::<Value>(),
     })
 }
 
-/// The fit as JSON.
 pub fn json(fits: &TissueFits) -> Value {
-    let curves: Map<String, Value> =
-        fits.injuries.iter().map(|fit| (fit.injury.key().to_owned(), one(fit))).collect();
+    let curves = fits.injuries.iter().map(|fit| (fit.injury.key(), one(fit)));
     let powers = fits.with_inputs.iter().map(|input| {
-        let of = |side: usize| -> Map<String, Value> {
-            let each = Injury::ALL.iter();
-            each.map(|injury| {
-                (injury.key().to_owned(), json!(input.powers[side][*injury as usize]))
-            })
-            .collect()
-        };
-        json!({ "input": input.path, "below": of(0), "above": of(1) })
+        let [below, above] = [0, 1].map(|side| {
+            let power = |injury: &Injury| (injury.key(), input.powers[side][*injury as usize]);
+            Injury::ALL.iter().map(power).collect::<Value>()
+        });
+        json!({ "input": input.path, "below": below, "above": above })
     });
-    json!({ "curves": curves, "with_inputs": powers.collect::<Vec<_>>() })
+    json!({ "curves": curves.collect::<Value>(), "with_inputs": powers.collect::<Value>() })
 }

@@ -3,9 +3,8 @@
 //! any frame.
 //!
 //! Places are those of the section: x from the cornea to the back, y up, in m. An axisymmetric eye
-//! is drawn as a whole section: its half, the mirror image of that, and both turned to where the
-//! blow comes from. Of a fine mesh about as many lines are drawn as level 1 has, and the whole
-//! shell, lens and wall.
+//! is drawn as its half and the mirror image of that, both turned to where the blow comes from. Of
+//! a fine mesh about as many lines are drawn as level 1 has, and the whole shell, lens and wall.
 
 use crate::run::kept::Frame;
 use crate::run::places::{ORBIT_RADIUS_M, Region};
@@ -20,8 +19,7 @@ const BEYOND: f64 = 0.6;
 /// Room around the outermost part, as a share.
 const MARGIN: f64 = 1.03;
 
-/// How far a picture of an eye with such places reaches, across and up, in m; the arrow of the blow
-/// needs some room too.
+/// How far a picture of such places and the arrow of the blow reaches, across and up, in m.
 pub(crate) fn reach(places: impl Iterator<Item = Point2<f64>>) -> (f64, f64) {
     let room = (ORBIT_RADIUS_M * MARGIN, ORBIT_RADIUS_M * MARGIN);
     places.fold(room, |(across, up), at| {
@@ -108,8 +106,7 @@ pub struct Drawing {
     pub(crate) along: Option<Vector2<f64>>,
     /// What hits it.
     pub object: Option<DrawnObject>,
-    /// The edge of the bone from the front, x towards the nose and y up, in m, where it is not
-    /// round.
+    /// The edge of the bone from the front, if it is not round: x towards the nose, y up, in m.
     pub rim: Vec<Point2<f64>>,
 }
 
@@ -190,14 +187,12 @@ impl Drawing {
         Point2::from(sum.sum::<Vector2<f64>>())
     }
 
-    /// The object that hits the eye, and in a frame the middle of what is left of it: of a
-    /// cylinder the middle of its face.
+    /// The object, and in a frame the middle of what is left of it: of a cylinder, of its face.
     pub fn object(&self, frame: &Frame) -> Option<(DrawnObject, Point2<f64>)> {
         Some((self.object?, self.turned(frame.projectile?)))
     }
 
-    /// The corners of what a picture shows of all that ever moves: the eye, the bone around it and
-    /// room for the object to come from.
+    /// The corners of a picture of the eye, the bone and room for the object to come from.
     pub fn extent(&self) -> (Point2<f64>, Point2<f64>) {
         let nodes = self.outlines.wall.iter().chain(&self.outlines.shell);
         let places = nodes.map(|node| self.at_rest(&self.nodes[*node]));

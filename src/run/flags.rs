@@ -1,7 +1,4 @@
 //! What a reader must know before trusting a result, each by name.
-//!
-//! [`crate::run::raised`] collects them and words those that every model can raise; the rest each
-//! model raises itself.
 
 /// A peak later than this share of the simulated time may still be growing.
 pub(crate) const LATE_PEAK_SHARE: f64 = 0.999;
@@ -23,14 +20,15 @@ pub struct Flag {
 }
 
 impl Flag {
+    /// A flag without more to tell.
+    pub(crate) fn new(kind: FlagKind, message: impl Into<String>, time: Option<f64>) -> Self {
+        Self { kind, message: message.into(), detail: None, time }
+    }
+
     /// All that it says, and what to do about it.
     pub fn whole(&self) -> String {
-        let detail = self.detail.iter().map(String::as_str);
-        let parts: Vec<&str> = std::iter::once(self.message.as_str())
-            .chain(detail)
-            .chain([self.kind.next_step()])
-            .collect();
-        parts.join("; ")
+        let detail = self.detail.as_ref().map_or(String::new(), |detail| format!("; {detail}"));
+        format!("{}{detail}; {}", self.message, self.kind.next_step())
     }
 }
 
@@ -90,29 +88,7 @@ pub enum FlagKind {
 impl FlagKind {
     /// What happened, in a few words for people.
     pub fn words(self) -> &'static str {
-        match self {
-            Self::MeshFolded => "the computed tissue folded",
-            Self::MeshNearlyFolded => "the computed tissue nearly folded",
-            Self::FinerMeshFolds => "finer meshes fold in this blow",
-            Self::EnergyImbalance => "the energies do not add up",
-            Self::NotPredictable => "not predictable",
-            Self::Unconverged => "the time step is too long",
-            Self::LostInRounding => "lost in rounding",
-            Self::WindowShort => "still rising at the end",
-            Self::WindowCapped => "not watched to the end",
-            Self::PulseCut => "the force outlasts the run",
-            Self::ArcUnresolved => "arc finer than the mesh",
-            Self::BoneShields => "bone shields a part",
-            Self::SurfaceCrushed => "object crushed flat",
-            Self::WentPast => "object went past the eye",
-            Self::BeyondTests => "flatter than any tested eye",
-            Self::EyeFlat => "eye pressed flat",
-            Self::RimStops => "bone stopped the object",
-            Self::BoneMayBreak => "bone may break",
-            Self::EyeMissed => "the eye was missed",
-            Self::AngleBeyondTrust => "too far from the side",
-            Self::ContactCut => "still touching at the end",
-        }
+        self.said().0
     }
 
     /// Name as used in JSON.
@@ -122,28 +98,56 @@ impl FlagKind {
 
     /// What to do about it.
     pub fn next_step(self) -> &'static str {
+        self.said().1
+    }
+
+    /// What happened, and what to do about it.
+    fn said(self) -> (&'static str, &'static str) {
+        const SMALLER: &str = "try a smaller blow";
+        const LONGER: &str = "set a longer window_ms";
+        const SHORTER: &str = "try a shorter step, as --step-us sets it";
+        const AT_LEAST: &str = "believe no more than `at least`, or try a smaller blow";
         match self {
-            Self::MeshFolded | Self::NotPredictable => "try a smaller blow",
-            Self::MeshNearlyFolded => "a little more folds it: take no more than this",
-            Self::FinerMeshFolds => "take the results for a rough guess, or try a smaller blow",
-            Self::EnergyImbalance | Self::Unconverged => "try a shorter step, as --step-us sets it",
-            Self::LostInRounding => "try a larger blow",
-            Self::WindowShort | Self::WindowCapped | Self::PulseCut | Self::ContactCut => {
-                "set a longer window_ms"
+            Self::MeshFolded => ("the computed tissue folded", SMALLER),
+            Self::MeshNearlyFolded => (
+                "the computed tissue nearly folded",
+                "a little more folds it: take no more than this",
+            ),
+            Self::FinerMeshFolds => (
+                "finer meshes fold in this blow",
+                "take the results for a rough guess, or try a smaller blow",
+            ),
+            Self::EnergyImbalance => ("the energies do not add up", SHORTER),
+            Self::NotPredictable => ("not predictable", SMALLER),
+            Self::Unconverged => ("the time step is too long", SHORTER),
+            Self::LostInRounding => ("lost in rounding", "try a larger blow"),
+            Self::WindowShort => ("still rising at the end", LONGER),
+            Self::WindowCapped => ("not watched to the end", LONGER),
+            Self::PulseCut => ("the force outlasts the run", LONGER),
+            Self::ArcUnresolved => {
+                ("arc finer than the mesh", "try a finer mesh, as --level sets it")
             }
-            Self::ArcUnresolved => "try a finer mesh, as --level sets it",
-            Self::BoneShields => "aim nearer to the front",
-            Self::SurfaceCrushed | Self::EyeFlat => {
-                "believe no more than `at least`, or try a smaller blow"
+            Self::BoneShields => ("bone shields a part", "aim nearer to the front"),
+            Self::SurfaceCrushed => ("object crushed flat", AT_LEAST),
+            Self::WentPast => ("object went past the eye", "aim nearer to the middle"),
+            Self::BeyondTests => {
+                ("flatter than any tested eye", "take the figures as rough, or try a smaller blow")
             }
-            Self::BeyondTests => "take the figures as rough, or try a smaller blow",
-            Self::WentPast => "aim nearer to the middle",
-            Self::RimStops => {
-                "bone takes a part of the blow: try another side, impact.from, or rim, model.rim"
+            Self::EyeFlat => ("eye pressed flat", AT_LEAST),
+            Self::RimStops => (
+                "bone stopped the object",
+                "bone takes a part of the blow: try another side, impact.from, or rim, model.rim",
+            ),
+            Self::BoneMayBreak => {
+                ("bone may break", "think of a fracture too: it is not in the model")
             }
-            Self::BoneMayBreak => "think of a fracture too: it is not in the model",
-            Self::EyeMissed => "change angle or offset for a blow that meets the eye",
-            Self::AngleBeyondTrust => "turn the blow nearer to the front",
+            Self::EyeMissed => {
+                ("the eye was missed", "change angle or offset for a blow that meets the eye")
+            }
+            Self::AngleBeyondTrust => {
+                ("too far from the side", "turn the blow nearer to the front")
+            }
+            Self::ContactCut => ("still touching at the end", LONGER),
         }
     }
 }

@@ -1,9 +1,7 @@
-//! How a mesh folded: where, how many of its quads, since when and for how long, whichever eye it
-//! is of.
+//! How a mesh folded: where, how many of its quads, since when and for how long.
 //!
-//! It is looked at where steps end. As long as none of a mesh's quads is inside out, that is one
-//! comparison with the least of them, which the forces tell anyway; the quads are gone through
-//! only where one is.
+//! It is looked at where steps end: one comparison with the least of the quads, which the forces
+//! tell anyway; all are gone through only where one is inside out.
 
 use crate::run::places::Region;
 use nalgebra::Point2;
@@ -13,8 +11,7 @@ use nalgebra::Point2;
 pub struct Fold {
     /// When a quad first was inside out, in s.
     pub since: f64,
-    /// For how long one or more were inside out, in s: from the end of a step that finds one to the
-    /// end of the next that finds none.
+    /// For how long one or more were inside out, in s, as step ends find it.
     pub lasted: f64,
     /// Whether one was still inside out as the run ended.
     pub stays: bool,
@@ -22,8 +19,8 @@ pub struct Fold {
     pub quads: usize,
     /// Quads of the whole mesh.
     pub of: usize,
-    /// The middle at rest of the one that was farthest inside out at first, in m: as seen from the
-    /// middle of the globe, x towards the back, along the blow at the axisymmetric eye.
+    /// The middle at rest of the one that was farthest inside out at first, in m from the middle of
+    /// the globe, x towards the back, along the blow at the axisymmetric eye.
     pub at: Point2<f64>,
     /// The part that it belongs to: lens, globe or fat.
     pub part: Region,
@@ -59,9 +56,8 @@ impl FoldWatch {
         Self { seen: vec![false; quads], fold: None, before: 0.0 }
     }
 
-    /// Takes in the end of a step, at `time` s, at which the least ratio of a quad's size to that
-    /// at rest is `least`. Of each quad `ratio` tells its own, and `place` its middle at rest and
-    /// its part.
+    /// Takes in the end of a step, at `time` s. `ratio` is a quad's size over that at rest, `least`
+    /// the least of all, and `place` a quad's middle at rest and its part.
     #[inline]
     pub fn record(
         &mut self,

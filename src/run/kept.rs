@@ -35,18 +35,17 @@ pub struct Spacing {
     pub early_every: f64,
     /// The length of all others, in s.
     pub every: f64,
-    /// Whether instead of that half as many as at first are twice as long as those before, and so
-    /// on: for a run whose end is not known.
+    /// Whether, instead, half as many follow that are twice as long, and so on.
     pub doubles: bool,
 }
 
 impl Spacing {
-    /// All intervals alike, in s.
+    /// All intervals of this length, in s.
     pub fn even(every: f64) -> Self {
         Self { early: 0, early_every: every, every, doubles: false }
     }
 
-    /// So many intervals of this length, in s, at first, half as many twice as long, and so on.
+    /// For a run whose end is not known.
     pub fn doubling(early: u32, every: f64) -> Self {
         Self { early, doubles: true, ..Self::even(every) }
     }
@@ -68,8 +67,7 @@ impl Spacing {
 /// What to keep beside the extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
-    /// Traces: in a section of every step (thinned beyond 100,000 steps), at the axisymmetric eye
-    /// of the first step after each thousandth of a window that was asked for.
+    /// Traces: of every step in a section (thinned beyond 100,000), else of about 1000 a window.
     pub traces: bool,
     /// Frames, so far apart.
     pub frames: Option<Spacing>,
@@ -80,16 +78,14 @@ pub struct Keep {
 pub struct Frame {
     /// Time, in s.
     pub time: f64,
-    /// Position of each node of the eye, in m. At the axisymmetric eye those of one half of the
-    /// section, with x along the blow and y the distance from its line.
+    /// Position of each node, in m; at the axisymmetric eye of one half of the section, with x
+    /// along the blow and y the distance from its line.
     pub positions: Vec<Point2<f64>>,
-    /// |m a| of each node of the eye, in N; 0 for the orbit. At the axisymmetric eye m is 75 mg and
-    /// a the mean over 20 us.
+    /// |m a| of each node, in N; at the axisymmetric eye m is 75 mg and a the mean over 20 us.
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.
     pub cells: Vec<f64>,
-    /// Centre of the projectile, in m, where the scene has one: of what is left of it, if it is
-    /// soft and squeezed.
+    /// Centre of the projectile, in m, where there is one: of what is left of it if it is squeezed.
     pub projectile: Option<Point2<f64>>,
     /// How much it is squeezed along its way, in m.
     pub squeezed: f64,
@@ -122,52 +118,66 @@ pub(crate) fn nearest(frames: &[Frame], time: f64) -> usize {
     if apart(after) < apart(before) { after } else { before }
 }
 
-/// Values at step ends, each of the same length, or empty where a scene has no such thing.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Traces {
+/// The traces of a run, and a way through all of them, so that one that is added is thinned too.
+macro_rules! traces {
+    ($($(#[$doc:meta])* $name:ident,)*) => {
+        /// Values at step ends, each of the same length, or empty where a scene has no such thing.
+        #[derive(Debug, Clone, PartialEq, Default)]
+        pub struct Traces {
+            $($(#[$doc])* pub $name: Vec<f64>,)*
+            /// |sum w m a| over the hats of the monitored nodes, N; at the axisymmetric eye 75 mg
+            /// times the mean of their acceleration over 20 us.
+            pub force: [Vec<f64>; 4],
+            /// What its tissues feel: stretch at the equator and at the back, growth at the
+            /// retina's front edge, as shares; pull on lens and iris, in m.
+            pub tissue: [Vec<f64>; 5],
+        }
+
+        impl Traces {
+            fn all_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+                [$(&mut self.$name),*].into_iter().chain(&mut self.force).chain(&mut self.tissue)
+            }
+        }
+    };
+}
+
+traces! {
     /// Time, s.
-    pub time: Vec<f64>,
+    time,
     /// Total load, N; at the axisymmetric eye also the force of contact of an object as it is.
-    pub load: Vec<f64>,
-    /// |sum w m a| over the hats of the monitored nodes, N; at the axisymmetric eye 75 mg times the
-    /// mean of their acceleration over 20 us.
-    pub force: [Vec<f64>; 4],
+    load,
     /// Corneal apex displacement, m.
-    pub apex: Vec<f64>,
+    apex,
     /// Growth of the shell's length as a share of it.
-    pub shell_growth: Vec<f64>,
+    shell_growth,
     /// Growth of the vertical diameter as a share of it.
-    pub meridian_growth: Vec<f64>,
+    meridian_growth,
     /// Kinetic energy, J.
-    pub kinetic: Vec<f64>,
+    kinetic,
     /// Energy stored in the tissues, J.
-    pub elastic: Vec<f64>,
+    elastic,
     /// Energy lost to drag and viscosity so far, J.
-    pub dissipated: Vec<f64>,
+    dissipated,
     /// Work done by the load so far, J; by a projectile: the kinetic energy it has given up.
-    pub work: Vec<f64>,
-    /// Intraocular pressure, Pa; at the axisymmetric eye the mean of the globe through a low pass
-    /// of 20 us.
-    pub pressure: Vec<f64>,
+    work,
+    /// Intraocular pressure, Pa: the mean of the globe through a low pass of 20 us.
+    pressure,
     /// Pressure at the back of the axisymmetric eye, a mean over 150 us, Pa.
-    pub back_pressure: Vec<f64>,
+    back_pressure,
     /// Largest tension of its sclera, through a low pass of 20 us, Pa.
-    pub scleral_stress: Vec<f64>,
-    /// What its tissues feel: stretch at the equator and at the back, growth at the retina's front
-    /// edge, as shares; pull on lens and iris, in m.
-    pub tissue: [Vec<f64>; 5],
+    scleral_stress,
     /// Loss of its length along the blow, as a share of it.
-    pub shortening: Vec<f64>,
+    shortening,
     /// Way of its lens along the blow, m.
-    pub lens: Vec<f64>,
+    lens,
     /// Way of an object's surface into it, m.
-    pub intrusion: Vec<f64>,
+    intrusion,
     /// Force of contact, mean over 100 us, N.
-    pub contact_force: Vec<f64>,
+    contact_force,
     /// Centre of the projectile along its way, m.
-    pub projectile: Vec<f64>,
+    projectile,
     /// Velocity of the projectile, m/s.
-    pub projectile_velocity: Vec<f64>,
+    projectile_velocity,
 }
 
 impl Traces {
@@ -181,48 +191,7 @@ impl Traces {
             first
         };
         let stays: Vec<bool> = self.time.iter().map(stays).collect();
-        // A trace that is added must be thinned too: hence no `..`.
-        let Self {
-            time,
-            load,
-            force: [centre, front, right, top],
-            tissue: [equator, back, edge, lens_pull, iris],
-            apex,
-            shell_growth,
-            meridian_growth,
-            kinetic,
-            elastic,
-            dissipated,
-            work,
-            pressure,
-            back_pressure,
-            scleral_stress,
-            shortening,
-            lens,
-            intrusion,
-            contact_force,
-            projectile,
-            projectile_velocity,
-        } = self;
-        let motion = [
-            centre,
-            front,
-            right,
-            top,
-            equator,
-            back,
-            edge,
-            lens_pull,
-            iris,
-            apex,
-            shell_growth,
-            meridian_growth,
-        ];
-        let energies = [load, kinetic, elastic, dissipated, work];
-        let tissues = [pressure, back_pressure, scleral_stress, shortening, lens];
-        let object = [intrusion, contact_force, projectile, projectile_velocity];
-        let all = motion.into_iter().chain(energies).chain(tissues);
-        for trace in all.chain(object).chain([time]) {
+        for trace in self.all_mut() {
             let mut stays = stays.iter();
             trace.retain(|_| *stays.next().unwrap_or(&false));
         }

@@ -9,7 +9,6 @@ pub mod model;
 pub(crate) mod ordered;
 pub mod places;
 pub mod plan;
-pub mod planning;
 pub mod quantity;
 pub mod raised;
 pub mod readings;

@@ -1,11 +1,8 @@
-//! The socket that every model fills: an eye compiled from a scenario, ready to be hit.
-//!
-//! Everything else, from one answer to the screens, asks this trait and the [`Rules`] of the model
-//! only.
+//! The socket that every model fills: all else asks this trait and the [`Rules`] of the model only.
 
 use crate::run::kept::{Frame, Keep, Spacing, Traces};
-use crate::run::plan::{Cost, Plan};
-use crate::run::{drawing::Drawing, flags::Flag, fold::Fold, places::Region, planning::plan_by};
+use crate::run::plan::{Cost, Plan, plan_by};
+use crate::run::{drawing::Drawing, flags::Flag, fold::Fold, places::Region};
 use crate::run::{quantity::Quantity, readings::Readings, refusal::Refusal, rules::Rules};
 use crate::run::{sectors::Sectors, watch::Watch};
 use crate::scenario::{Integrator, Scenario};
@@ -29,8 +26,7 @@ pub trait EyeModel: Debug + Send + Sync {
     /// Refinement level of the mesh.
     fn level(&self) -> u32;
 
-    /// This eye and load on the mesh of another level, which may be finer than a scenario may
-    /// ask for.
+    /// The same on the mesh of another level, which may be finer than a scenario may ask for.
     fn at_level(&self, level: u32) -> Arc<dyn EyeModel>;
 
     /// The part that each node belongs to.
@@ -57,8 +53,7 @@ pub trait EyeModel: Debug + Send + Sync {
         (plan.window * plan.multiple / plan.step).ceil() as usize
     }
 
-    /// The run whose difference from that of `plan` tells the step error, and the factor from the
-    /// difference to the error.
+    /// The run that tells the step error of `plan`, and the factor from their difference to it.
     fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
         let estimate = &self.rules().estimate;
         let finer = Plan { multiple: plan.multiple * estimate.ratio, ..*plan };
@@ -66,17 +61,16 @@ pub trait EyeModel: Debug + Send + Sync {
         (finer, estimate.safety / share)
     }
 
-    /// Moves the eye by `plan` and records it under the eyes of `watch`.
+    /// Moves the eye by `plan` and records it; `watch` may stop it.
     ///
     /// # Errors
-    /// Motion that leaves the finite numbers, an object that goes through the eye, and
-    /// [`Refusal::Cancelled`] if the watch stopped it.
+    /// Motion that is not finite, an object that goes through the eye, [`Refusal::Cancelled`].
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal>;
 
-    /// Moves the eye by `plan` and gives every frame to `take` once it is due.
+    /// Moves the eye by `plan` and gives every frame to `take`, which may stop it.
     ///
     /// # Errors
-    /// As [`Self::run`]; [`Refusal::Cancelled`] if `take` stopped it.
+    /// As [`Self::run`].
     fn frames(
         &self,
         plan: &Plan,
@@ -87,12 +81,10 @@ pub trait EyeModel: Debug + Send + Sync {
     /// What a picture of the eye is made of.
     fn drawing(&self) -> Drawing;
 
-    /// The integrator and step that a scenario asks for, or the automatic ones of an answer, which
-    /// has a second run for its error.
+    /// The integrator and step that a scenario asks for, or the automatic ones of an answer.
     ///
     /// # Errors
-    /// Refuses an integrator that does not solve it and a step that is unstable or would take
-    /// hours.
+    /// Refuses an integrator that does not solve it and a step that is unstable or takes hours.
     fn plan(&self, scenario: &Scenario) -> Result<Plan, Refusal> {
         plan_by(self, scenario, &self.rules().answer)
     }
@@ -112,7 +104,7 @@ pub trait EyeModel: Debug + Send + Sync {
 }
 
 /// What one run gave and cost.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Run {
     /// What was read off the eye.
     pub readings: Readings,
@@ -126,7 +118,7 @@ pub struct Run {
     pub missed: bool,
     /// Largest error of the balance of energy, as a share of the energy that came in.
     pub energy_residual: f64,
-    /// Time simulated, in s: less than the window if all readings were final before.
+    /// Time simulated, in s: less than the window if all was final before.
     pub simulated: f64,
     /// What tissues felt by clock hour, where the model tells it.
     pub sectors: Option<Sectors>,

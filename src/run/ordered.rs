@@ -1,10 +1,9 @@
 //! Numbered jobs on all cores whose results come in their order.
 //!
-//! Each thread of the present pool, or the calling one where none can start, takes the next number
-//! that nobody has. A result waits until all before it are there, so whoever receives them sees the
-//! same sequence for any number of threads, and a run that is stopped gives its beginning.
+//! Each thread takes the next number that nobody has. A result waits until all before it are there,
+//! so the sequence is the same for any number of threads, and a stopped run gives its beginning.
 
-use crate::run::{threads, watch::stop_if};
+use crate::run::{refusal::Refusal, threads, watch::stop_if};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -21,8 +20,8 @@ struct Desk<T, D> {
     deliver: D,
 }
 
-/// Does jobs `from..to`; `deliver` is given each number and result in order and may stop the rest,
-/// and so may `stop`. A job that gives nothing has been stopped.
+/// Does jobs `from..to`; `deliver` is given each number and result in order. It may stop the rest,
+/// as may `stop`; a job that gives nothing has been stopped.
 pub fn run<T: Send>(
     (from, to): (usize, usize),
     stop: &AtomicBool,
@@ -61,6 +60,25 @@ pub fn run<T: Send>(
     });
 }
 
+/// Does all jobs and gives their results in order; `progress` is told the share done.
+///
+/// # Errors
+/// Where it was stopped before the last.
+pub fn all<T: Send>(
+    count: usize,
+    stop: &AtomicBool,
+    job: impl Fn(usize) -> Option<T> + Sync,
+    mut progress: impl FnMut(f64) + Send,
+) -> Result<Vec<T>, Refusal> {
+    let mut all = Vec::with_capacity(count);
+    run((0, count), stop, job, |_, one| {
+        all.push(one);
+        progress(all.len() as f64 / count as f64);
+        ControlFlow::Continue(())
+    });
+    if all.len() < count { Err(Refusal::Cancelled) } else { Ok(all) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -71,13 +89,11 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let (mut seen, stop) = (Vec::new(), AtomicBool::new(false));
             pool.build().unwrap().install(|| {
-                let slow_first =
-                    |i: usize| {
-                        std::thread::sleep(std::time::Duration::from_micros(
-                            if i.is_multiple_of(3) { 500 } else { 1 },
-                        ));
-                        Some(i * i)
-                    };
+                let slow_first = |i: usize| {
+                    let pause = if i.is_multiple_of(3) { 500 } else { 1 };
+                    std::thread::sleep(std::time::Duration::from_micros(pause));
+                    Some(i * i)
+                };
                 run((3, 100), &stop, slow_first, |i, square| {
                     assert_eq!(square, i * i);
                     seen.push(i);

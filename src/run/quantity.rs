@@ -1,16 +1,11 @@
 //! The table of results: one row for each, from which everything that lists results is made.
 //!
-//! Text, JSON, CSV, the comparison, the keys to the next peak, ensembles, sweeps and the reports
-//! of errors iterate [`Quantity::ALL`] and ask the [`Row`]. A new reading is a variant and its row
-//! here, and a line in the table of each model that has it: the compiler asks for the row. What is
-//! made of readings, the index and the risks, has its formula in `answer`.
-//!
-//! "The axisymmetric eye" is the model `Physiological` of a scenario. A result that a scene does
-//! not have reads as `None`: the pressure where there are no cells, the force of contact where
-//! there is no projectile.
+//! A new reading is a variant and its row here, and a line in the table of each model that has it.
+//! What is made of readings, the index and the risks, has its formula in `answer`. A result that a
+//! scene does not have reads as `None`.
 
+use crate::run::kept::Traces;
 use crate::run::result_trace::{Group, ResultTrace};
-use crate::run::{kept::Traces, places::Monitor};
 use strum::{EnumCount, VariantArray};
 
 /// One scalar result, in the order of every table.
@@ -20,15 +15,13 @@ pub enum Quantity {
     Damage,
     /// S, growth of the shell's length in the section, %; at the axisymmetric eye of the meridian.
     ShellGrowth,
-    /// M, growth of the vertical diameter, %; at the axisymmetric eye of the largest diameter
-    /// across the blow.
+    /// M, growth of the vertical diameter, or of the largest across the blow, %.
     MeridianGrowth,
     /// E, energy imparted, J.
     Energy,
     /// Displacement of the corneal apex, mm.
     Apex,
-    /// Peak force at the node near the centre of the eye, N; at the axisymmetric eye that of a
-    /// fixed mass of 75 mg with the acceleration there.
+    /// Peak force near the centre of the eye, N; at the axisymmetric eye 75 mg times acceleration.
     ForceCentre,
     /// Peak force at the node of the cornea, N.
     ForceFront,
@@ -36,19 +29,15 @@ pub enum Quantity {
     ForceRight,
     /// Peak force at the node behind 12 o'clock, N.
     ForceTop,
-    /// Largest energy stored in the springs at one time, J of the model's depth: how much of what
-    /// was imparted the tissues held at once, before it went into drag.
+    /// Largest energy stored in the springs at one time, J of the model's depth.
     StoredEnergy,
-    /// Peak intraocular pressure, in megapascals, at the axisymmetric eye: the mean of the globe
-    /// through a low pass of 20 us.
+    /// Peak intraocular pressure, in megapascals: the mean of the globe, low pass of 20 us.
     Pressure,
     /// Peak force of contact, N, where a projectile hits, as a mean over 100 us.
     Contact,
-    /// Peak pressure at the back of the axisymmetric eye, where a sensor sits in experiments, in
-    /// megapascals: a mean over 150 us.
+    /// Peak pressure at the back, at the sensor of experiments, in megapascals: mean over 150 us.
     BackPressure,
-    /// Peak tension of the sclera of the axisymmetric eye, in megapascals, through a low pass of 20
-    /// us.
+    /// Peak tension of the sclera, in megapascals, through a low pass of 20 us.
     ScleralStress,
     /// Largest loss of the eye's length along the blow, in % of it, at the axisymmetric eye.
     Shortening,
@@ -58,9 +47,8 @@ pub enum Quantity {
     LensWay,
     /// Speed of an object back along its path at the end, m/s, at the axisymmetric eye.
     Rebound,
-    /// Largest stretch of the wall along the meridian near the equator of the axisymmetric eye, %,
-    /// between 60 and 120 degrees from the front; this and the next four through a low pass of 20
-    /// us.
+    /// Largest stretch of the wall along the meridian between 60 and 120 degrees from the front, %;
+    /// this and the next four through a low pass of 20 us.
     EquatorStretch,
     /// Mean stretch of its wall along the meridian at the back, %, from 150 degrees on.
     BackStretch,
@@ -68,8 +56,7 @@ pub enum Quantity {
     EdgeGrowth,
     /// How much farther than at rest the lens's equator is from the shell at 62 degrees, mm.
     LensPull,
-    /// How much farther than at rest the lens's equator is from the shell at the root of the iris,
-    /// at 45 degrees, mm.
+    /// The same of the shell at the root of the iris, at 45 degrees, mm.
     IrisPull,
     /// Most energy that the axisymmetric eye is given over the area of the largest contact, kJ/m2.
     CornealEnergy,
@@ -92,11 +79,9 @@ pub enum Quantity {
 pub enum Leads {
     /// In every scene that has the result.
     Always,
-    /// Only where no projectile hits. Where one does, node forces follow every wave and differ from
-    /// mesh to mesh.
+    /// Only where no projectile hits: with one, node forces follow every wave, mesh by mesh.
     WithoutProjectile,
-    /// Nowhere, but its own error is watched: what tissues feel may wander far more than the
-    /// motion.
+    /// Nowhere, but its own error is watched: what tissues feel may wander more than the motion.
     Watched,
     /// Nowhere.
     Never,
@@ -106,15 +91,14 @@ pub enum Leads {
 /// so none is claimed to be much better than the worst of its family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Motion of the whole eye; the axisymmetric model raises the errors of this family together.
+    /// Motion of the whole eye.
     Motion,
-    /// Forces of nodes on the shell, which come from the same waves; the Paper model raises their
-    /// errors together.
+    /// Forces of nodes on the shell, which come from the same waves.
     ShellForces,
     /// Its step error says nothing of any other result's.
     Alone,
-    /// No error is stated of it: a published curve turned another result, or the input, into it, or
-    /// it is looked at at step ends only, so that two runs may share what they miss.
+    /// No error is stated of it: it is made of another result by a published curve, or looked at
+    /// only where steps end, so that two runs may share what they miss.
     Unstated,
 }
 
@@ -131,8 +115,7 @@ pub struct Row {
     pub unit: &'static str,
     /// Factor from the reading in SI to the unit.
     pub factor: f64,
-    /// What rounding does to it, in the unit: a force is the small difference of large ones, which
-    /// leaves some 1e-10 N in an eye at rest.
+    /// What rounding does to it, in the unit.
     pub rounding: f64,
     /// In which scenes the one stated error covers it.
     pub leads: Leads,
@@ -158,50 +141,45 @@ impl Quantity {
     /// All that is known of it, from the one table.
     #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]
     pub fn row(self) -> Row {
-        use Group::{Energies, Inside, Motion, NodeForces, Projectile, Tissues};
+        use Group::{Energies, Inside, Motion, Projectile, Tissues};
         match self {
-            Self::Damage => number("damage_percent", "damage index", "index", "")
-                .leading(Leads::Always)
-                .up_to(1e2),
+            Self::Damage => Row {
+                whole: Some(1e2),
+                ..number("damage_percent", "damage index", "index", "").leading(Leads::Always)
+            },
             Self::ShellGrowth => number("scleral_growth_percent", "wall growth S", "S", "%")
-                .times(1e2)
                 .followed((Motion, 2), |t| &t.shell_growth),
             Self::MeridianGrowth => number("meridian_growth_percent", "width growth M", "M", "%")
-                .times(1e2)
                 .followed((Motion, 3), |t| &t.meridian_growth),
             Self::Energy => number("energy_imparted_j", "energy imparted E", "E", "J")
                 .rounding(1e-16)
                 .traced("work in", "work_j", (Energies, 3), |t| &t.work),
             Self::Apex => number("apex_displacement_mm", "cornea pushed in", "pushed", "mm")
-                .times(1e3)
                 .leading(Leads::Always)
                 .traced("cornea pushed in", "apex_mm", (Motion, 1), |t| &t.apex),
             // Far smoother than those of the shell, and really better.
-            Self::ForceCentre => node_force("peak_force_centre_n", "peak force, centre", "centre")
-                .hanging_with(Family::Alone)
-                .traced("centre", "force_centre_n", (NodeForces, 0), |t| {
-                    &t.force[Monitor::Centre as usize]
-                }),
-            Self::ForceFront => node_force("peak_force_front_n", "peak force, front", "front")
-                .traced("front", "force_front_n", (NodeForces, 1), |t| {
-                    &t.force[Monitor::Front as usize]
-                }),
-            Self::ForceRight => node_force("peak_force_right_n", "peak force, right", "right")
-                .traced("right", "force_right_n", (NodeForces, 2), |t| {
-                    &t.force[Monitor::Right as usize]
-                }),
-            Self::ForceTop => node_force("peak_force_top_n", "peak force, top", "top").traced(
-                "top",
-                "force_top_n",
-                (NodeForces, 3),
-                |t| &t.force[Monitor::Top as usize],
-            ),
-            Self::StoredEnergy => number("peak_stored_energy_j", "stored energy", "stored", "J")
-                .rounding(1e-16)
-                .hanging_with(Family::Unstated)
-                .traced("elastic", "elastic_j", (Energies, 1), |t| &t.elastic),
+            Self::ForceCentre => Row {
+                family: Family::Alone,
+                ..node_force("peak_force_centre_n", "peak force, centre", "centre", 0, |t| {
+                    &t.force[0]
+                })
+            },
+            Self::ForceFront => {
+                node_force("peak_force_front_n", "peak force, front", "front", 1, |t| &t.force[1])
+            }
+            Self::ForceRight => {
+                node_force("peak_force_right_n", "peak force, right", "right", 2, |t| &t.force[2])
+            }
+            Self::ForceTop => {
+                node_force("peak_force_top_n", "peak force, top", "top", 3, |t| &t.force[3])
+            }
+            Self::StoredEnergy => Row {
+                family: Family::Unstated,
+                ..number("peak_stored_energy_j", "stored energy", "stored", "J")
+            }
+            .rounding(1e-16)
+            .traced("elastic", "elastic_j", (Energies, 1), |t| &t.elastic),
             Self::Pressure => number("peak_pressure_mpa", "peak pressure", "pressure", "MPa")
-                .times(1e-6)
                 .leading(Leads::Always)
                 .traced("pressure", "pressure_mpa", (Inside, 0), |t| &t.pressure),
             Self::Contact => number("peak_contact_force_n", "contact force", "contact", "N")
@@ -210,7 +188,6 @@ impl Quantity {
                 .traced("contact", "contact_force_n", (Projectile, 0), |t| &t.contact_force),
             Self::BackPressure => {
                 number("peak_back_pressure_mpa", "pressure at back", "at back", "MPa")
-                    .times(1e-6)
                     .leading(Leads::Always)
                     .traced("pressure at back", "back_pressure_mpa", (Inside, 2), |t| {
                         &t.back_pressure
@@ -218,48 +195,42 @@ impl Quantity {
             }
             Self::ScleralStress => {
                 number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
-                    .times(1e-6)
                     .leading(Leads::Always)
                     .traced("scleral stress", "scleral_stress_mpa", (Inside, 3), |t| {
                         &t.scleral_stress
                     })
             }
             Self::Shortening => number("shortening_percent", "eye shortened by", "squashed", "%")
-                .times(1e2)
                 .leading(Leads::Always)
                 .traced("shortening", "shortening_percent", (Motion, 4), |t| &t.shortening),
-            Self::Intrusion => number("intrusion_mm", "object goes in", "goes in", "mm")
-                .times(1e3)
-                .traced("intrusion", "intrusion_mm", (Projectile, 5), |t| &t.intrusion),
+            Self::Intrusion => number("intrusion_mm", "object goes in", "goes in", "mm").traced(
+                "intrusion",
+                "intrusion_mm",
+                (Projectile, 5),
+                |t| &t.intrusion,
+            ),
             Self::LensWay => number("lens_displacement_mm", "lens displacement", "lens", "mm")
-                .times(1e3)
                 .traced("lens", "lens_mm", (Motion, 5), |t| &t.lens),
             Self::Rebound => number("rebound_speed_m_s", "rebound speed", "rebound", "m/s"),
             Self::EquatorStretch => {
                 number("equator_stretch_percent", "equator stretch", "stretch", "%")
-                    .times(1e2)
                     .leading(Leads::Watched)
                     .followed((Tissues, 0), |t| &t.tissue[0])
             }
             Self::BackStretch => number("back_stretch_percent", "stretch at back", "back", "%")
-                .times(1e2)
                 .leading(Leads::Watched)
                 .followed((Tissues, 1), |t| &t.tissue[1]),
             Self::EdgeGrowth => number("edge_growth_percent", "retina edge growth", "edge", "%")
-                .times(1e2)
                 .leading(Leads::Watched)
                 .traced("retina's edge", "edge_growth_percent", (Tissues, 2), |t| &t.tissue[2]),
             Self::LensPull => number("lens_pull_mm", "pull on lens", "pull", "mm")
-                .times(1e3)
                 .leading(Leads::Watched)
                 .followed((Tissues, 3), |t| &t.tissue[3]),
             Self::IrisPull => number("iris_pull_mm", "pull on iris", "iris", "mm")
-                .times(1e3)
                 .leading(Leads::Watched)
                 .followed((Tissues, 4), |t| &t.tissue[4]),
             Self::CornealEnergy => {
                 number("corneal_energy_kj_m2", "energy at cornea", "cornea", "kJ/m2")
-                    .times(1e-3)
                     .leading(Leads::Watched)
             }
             Self::GlobeRupture => risk("globe_rupture_percent", "globe rupture", "rupture"),
@@ -275,12 +246,12 @@ impl Quantity {
         }
     }
 
-    /// Name with its unit, as in JSON and CSV.
+    /// See [`Row::key`].
     pub fn key(self) -> &'static str {
         self.row().key
     }
 
-    /// Name for people.
+    /// See [`Row::label`].
     pub fn label(self) -> &'static str {
         self.row().label
     }
@@ -296,7 +267,19 @@ impl Quantity {
     }
 }
 
+/// A force is the small difference of large ones: some 1e-10 N are left in an eye at rest.
 const FORCE_ROUNDING: f64 = 3e-10;
+
+/// Factor from SI to a unit for people.
+pub(crate) const fn factor_to(unit: &str) -> f64 {
+    match unit.as_bytes() {
+        b"%" => 1e2,
+        b"mm" => 1e3,
+        b"MPa" => 1e-6,
+        b"kJ/m2" => 1e-3,
+        _ => 1.0,
+    }
+}
 
 /// A result of the whole motion that does not lead, to be filled in.
 const fn number(
@@ -310,7 +293,7 @@ const fn number(
         label,
         short,
         unit,
-        factor: 1.0,
+        factor: factor_to(unit),
         rounding: 1e-12,
         leads: Leads::Never,
         family: Family::Motion,
@@ -321,25 +304,12 @@ const fn number(
 }
 
 impl Row {
-    const fn times(self, factor: f64) -> Self {
-        Self { factor, ..self }
-    }
-
     const fn rounding(self, rounding: f64) -> Self {
         Self { rounding, ..self }
     }
 
     const fn leading(self, leads: Leads) -> Self {
         Self { leads, ..self }
-    }
-
-    const fn hanging_with(self, family: Family) -> Self {
-        Self { family, ..self }
-    }
-
-    /// On a map its colours go up to `whole`.
-    const fn up_to(self, whole: f64) -> Self {
-        Self { whole: Some(whole), ..self }
     }
 
     /// Over time it has the same name and key, and is looked at there.
@@ -361,25 +331,27 @@ impl Row {
     }
 }
 
-/// The force of a node of the shell.
-const fn node_force(key: &'static str, label: &'static str, short: &'static str) -> Row {
+/// The force of a node of the shell, by the place of its [`Monitor`](crate::run::places::Monitor).
+const fn node_force(
+    key: &'static str,
+    label: &'static str,
+    short: &'static str,
+    place: u8,
+    values: fn(&Traces) -> &[f64],
+) -> Row {
+    let (_, column) = key.split_at("peak_".len());
     Row {
         rounding: FORCE_ROUNDING,
         leads: Leads::WithoutProjectile,
         family: Family::ShellForces,
         ..number(key, label, short, "N")
     }
+    .traced(short, column, (Group::NodeForces, place), values)
 }
 
 /// A risk, which what a tissue felt was turned into.
 const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
-    Row {
-        factor: 1e2,
-        whole: Some(1e2),
-        family: Family::Unstated,
-        risk: true,
-        ..number(key, label, short, "%")
-    }
+    Row { whole: Some(1e2), family: Family::Unstated, risk: true, ..number(key, label, short, "%") }
 }
 
 #[cfg(test)]

@@ -31,51 +31,37 @@ impl Raised {
         self.0
     }
 
-    /// Raises a flag of what happened at no certain time.
+    /// At no certain time.
     pub fn raise(&mut self, kind: FlagKind, message: impl Into<String>) {
-        self.push(kind, message.into(), None);
+        self.0.push(Flag::new(kind, message, None));
     }
 
-    /// Raises a flag of what happened at `time`, in s.
+    /// At `time`, in s.
     pub fn raise_at(&mut self, time: f64, kind: FlagKind, message: impl Into<String>) {
-        self.push(kind, message.into(), Some(time));
-    }
-
-    fn push(&mut self, kind: FlagKind, message: String, time: Option<f64>) {
-        self.0.push(Flag { kind, message, detail: None, time });
+        self.0.push(Flag::new(kind, message, Some(time)));
     }
 
     fn folded(&mut self, fold: &Fold, element: Element) {
         let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
         let (count, all, what) = (fold.quads, fold.of, element.folded_plural());
-        let length =
-            if fold.stays { "to the end".to_owned() } else { format!("for {lasted:.3} ms") };
-        self.0.push(Flag {
-            kind: FlagKind::MeshFolded,
-            message: format!(
-                "mesh folded at {at:.3} ms, {length}: {count} of {all} {what}; beyond the model's validity"
-            ),
-            detail: Some(format!(
-                "the first {}; folded for {lasted:.3} ms in all, {}",
-                place(fold),
-                if fold.stays {
-                    "and still at the end"
-                } else {
-                    "and open again at the end"
-                }
-            )),
-            time: Some(fold.since),
-        });
+        let (length, end) = if fold.stays {
+            ("to the end".to_owned(), "still at the end")
+        } else {
+            (format!("for {lasted:.3} ms"), "open again at the end")
+        };
+        let message = format!(
+            "mesh folded at {at:.3} ms, {length}: {count} of {all} {what}; beyond the model's validity"
+        );
+        let place = place(fold);
+        let detail = format!("the first {place}; folded for {lasted:.3} ms in all, and {end}");
+        let flag = Flag::new(FlagKind::MeshFolded, message, Some(fold.since));
+        self.0.push(Flag { detail: Some(detail), ..flag });
     }
 
     /// A window that ends before the pulse; both in s.
     pub fn pulse_cut(&mut self, window: f64, pulse: f64) {
-        let lasts = pulse * 1e3;
-        self.raise_at(
-            window,
-            FlagKind::PulseCut,
-            format!("the window ends before the pulse, which lasts {lasts} ms"),
-        );
+        let said = format!("the window ends before the pulse, which lasts {} ms", pulse * 1e3);
+        self.raise_at(window, FlagKind::PulseCut, said);
     }
 
     /// A window, in s, that ends too early for a result, of which it is said how.
@@ -84,8 +70,7 @@ impl Raised {
     }
 }
 
-/// The flags of a motion: whether the mesh folded, the energies add up and, where there was a
-/// second run, the step is short enough.
+/// Whether the mesh folded, energies add up and, with a second run, the step is short enough.
 pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) -> Vec<Flag> {
     let mut raised = Raised::default();
     let split =
@@ -95,28 +80,21 @@ pub(crate) fn of_motion(run: &Run, element: Element, two_runs: Option<TwoRuns>) 
         raised.folded(fold, element);
     }
     if let Some((TwoRuns { disagreement, .. }, fold)) = unpredictable {
-        raised.raise_at(
-            fold.since,
-            FlagKind::NotPredictable,
-            format!("two solutions disagree by {disagreement:.0} %: not predictable"),
-        );
+        let said = format!("two solutions disagree by {disagreement:.0} %: not predictable");
+        raised.raise_at(fold.since, FlagKind::NotPredictable, said);
     }
     if run.energy_residual > ENERGY_ALARM {
         let percent = 100.0 * run.energy_residual;
-        raised.raise(
-            FlagKind::EnergyImbalance,
-            format!("the energies miss what came in by {percent:.2} %"),
-        );
+        let said = format!("the energies miss what came in by {percent:.2} %");
+        raised.raise(FlagKind::EnergyImbalance, said);
     }
     // Where two solutions part for good, no step is small enough.
     let runs = two_runs.filter(|_| unpredictable.is_none());
     if let Some((of, error)) = runs.and_then(|runs| runs.worst)
         && (error > UNCONVERGED_PERCENT || error.is_nan())
     {
-        raised.raise(
-            FlagKind::Unconverged,
-            format!("the step error of {} is {error:.0} %, the largest", of.label()),
-        );
+        let said = format!("the step error of {} is {error:.0} %, the largest", of.label());
+        raised.raise(FlagKind::Unconverged, said);
     }
     raised.0
 }
@@ -156,7 +134,6 @@ fn place(fold: &Fold) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::{plan::Cost, readings::Readings};
     use nalgebra::Point2;
 
     fn fold(x: f64, y: f64, stays: bool) -> Fold {
@@ -214,19 +191,7 @@ mod tests {
     fn nobody_is_told_to_take_a_smaller_step_where_none_would_help() {
         use FlagKind::{MeshFolded, NotPredictable, Unconverged};
         let kinds = |fold, error, disagreement| -> Vec<FlagKind> {
-            let run = Run {
-                readings: Readings::from_fn(|_| None),
-                details: Vec::new(),
-                flags: Vec::new(),
-                fold,
-                missed: false,
-                energy_residual: 0.0,
-                sectors: None,
-                simulated: 3e-3,
-                traces: None,
-                frames: Vec::new(),
-                cost: Cost::default(),
-            };
+            let run = Run { fold, simulated: 3e-3, ..Run::default() };
             let two_runs = TwoRuns { worst: Some((Quantity::Damage, error)), disagreement };
             let flags = of_motion(&run, Element::Spring, Some(two_runs));
             flags.into_iter().map(|flag| flag.kind).collect()

@@ -5,7 +5,7 @@ use std::ops::{Index, IndexMut};
 use strum::EnumCount;
 
 /// One `T` for each [`Quantity`].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PerQuantity<T>([T; Quantity::COUNT]);
 
 impl<T> PerQuantity<T> {

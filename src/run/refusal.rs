@@ -89,6 +89,11 @@ pub enum Refusal {
     Cancelled,
 }
 
+/// What came of work that nobody stopped.
+pub fn unstopped<T>(outcome: Result<T, Refusal>) -> Option<Result<T, Refusal>> {
+    (!matches!(outcome, Err(Refusal::Cancelled))).then_some(outcome)
+}
+
 impl Refusal {
     /// Whether another input would help.
     pub fn is_of_input(&self) -> bool {

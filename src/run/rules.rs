@@ -2,19 +2,15 @@
 //!
 //! The step error comes from a second run whose step differs by a ratio r (Richardson's
 //! extrapolation). For a method of order p the difference of the two is about (r^p - 1) times the
-//! error of the finer run, and (1 - r^-p) times that of the coarser. Results seldom follow the
-//! order exactly, peaks least of all, so the estimate is multiplied by a safety factor, and no
-//! result is claimed to be better than a floor. `contrecoup verify steps` measures how often the
-//! claims hold.
-//!
-//! The numbers stand with their reasons in the `rules` of each model.
+//! error of the finer run, and (1 - r^-p) times that of the coarser. Peaks seldom follow the order
+//! exactly, hence a safety factor and a floor. `contrecoup verify steps` measures how often the
+//! claims hold. The numbers stand with their reasons in the `rules` of each model.
 
 use crate::run::quantity::{Family, Quantity};
 use crate::run::{flags::FlagKind, refusal::Refusal};
 use crate::scenario::Integrator;
 
-/// The largest share of its stability limit that any run takes on its own account: the limit is of
-/// a linear eye, and a step just below it would forgive nothing.
+/// The largest share of its stability limit, one of a linear eye, that a run takes on its own.
 pub(crate) const LONGEST_SHARE: f64 = 0.95;
 
 /// Integrators, error estimates and mesh rules that all scenes of one model share.
@@ -38,7 +34,7 @@ pub struct Rules {
     pub may_lengthen: bool,
     /// The step error that runs among many keep to, in %.
     pub promise_percent: f64,
-    /// Whether each step follows the motion, so that the step of a plan is that of the eye at rest.
+    /// Whether each step follows the motion; the step of a plan is that of the eye at rest.
     pub step_follows_motion: bool,
     /// How the step error is told.
     pub estimate: Estimate,
@@ -86,9 +82,8 @@ pub struct Estimate {
     pub safety: f64,
     /// No result is claimed to be better than this, in %.
     pub floor_percent: f64,
-    /// Two runs may give the same peak by chance though neither is right. Results of this family
-    /// come from the same motion, so none is claimed to be better than this share of the worst of
-    /// them.
+    /// Two runs may give the same peak by chance, so no result of this family, which come from the
+    /// same motion, is claimed to be better than this share of the worst of them.
     pub family: (Family, f64),
 }
 
@@ -104,7 +99,7 @@ pub struct Refinement {
 }
 
 impl Refinement {
-    /// A person waits, and what is left is flagged.
+    /// What is left is flagged.
     pub(crate) const WHILE_A_PERSON_WAITS: Self =
         Self { error_percent: 1.0, balance_percent: 0.5, attempts: 2 };
 }
@@ -127,10 +122,9 @@ pub struct MeshRules {
 /// How a result behaves as the mesh gets finer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshScatter {
-    /// By this share of it level 3 may lie off the limit though its neighbours agree; finer ones by
-    /// less.
+    /// By this share of it level 3 may lie off the limit though its neighbours agree.
     pub share: f64,
-    /// The order by which that falls.
+    /// The order by which that falls at finer levels.
     pub order: i32,
     /// Or by so much, in its unit, where it is small.
     pub least: f64,
@@ -163,7 +157,7 @@ impl Element {
         }
     }
 
-    /// What is called folded where the mesh is: the quads between springs, or the cells themselves.
+    /// What folds: the quads between springs, or the cells themselves.
     pub fn folded_plural(self) -> &'static str {
         match self {
             Self::Spring => "quads",

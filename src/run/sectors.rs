@@ -26,12 +26,6 @@ pub struct Sectors {
 impl Sectors {
     /// The hour with the largest of some values, of several the first.
     pub fn strongest(of: &[f64]) -> usize {
-        let mut most = 0;
-        for (hour, value) in of.iter().enumerate() {
-            if *value > of[most] {
-                most = hour;
-            }
-        }
-        most
+        (1..of.len()).fold(0, |most, hour| if of[hour] > of[most] { hour } else { most })
     }
 }

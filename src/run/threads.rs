@@ -1,7 +1,5 @@
-//! Work on more than one thread, where the system lets threads start; else on the calling one.
-//!
-//! A container or a limit (`ulimit -u`) may refuse them: then everything takes longer and gives the
-//! same.
+//! Work on more than one thread, or on the calling one where a container or a limit (`ulimit -u`)
+//! lets none start: that takes longer and gives the same.
 
 use std::error::Error;
 #[cfg(feature = "app")]
@@ -30,10 +28,7 @@ pub fn beside<A: Send, B>(other: impl FnOnce() -> A + Send, own: impl FnOnce() -
     })
 }
 
-/// Starts a thread of its own.
-///
-/// # Errors
-/// Says that none can start.
+/// Starts a thread of its own, or says that none can start.
 #[cfg(feature = "app")]
 pub fn start(work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     match thread::Builder::new().spawn(work) {
@@ -42,8 +37,7 @@ pub fn start(work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     }
 }
 
-/// Whether rayon has threads for the caller: a pool that it runs in, or the common one, which is
-/// begun here.
+/// Whether rayon has threads for the caller: its own pool, or the common one, which is begun here.
 pub fn pool_is_there() -> bool {
     static COMMON: OnceLock<bool> = OnceLock::new();
     // An error without a cause says that somebody has begun it already.

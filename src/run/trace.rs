@@ -1,10 +1,11 @@
 //! What is followed over time: every result that has a trace, and what explains them.
 //!
-//! The force profiles, the sparklines, the overlaid curves of a comparison and the traces as CSV
-//! iterate [`TRACES`]. A result joins them by its [`ResultTrace`] in the table of results; what is
-//! no result, such as the load, is a row here.
+//! A result joins [`TRACES`] by its [`ResultTrace`] in the table of results; what is no result,
+//! such as the load, is a row here.
 
-use crate::run::{kept::Traces, quantity::Quantity, result_trace::Group};
+use crate::run::kept::Traces;
+use crate::run::quantity::{Quantity, factor_to};
+use crate::run::result_trace::{Group, ResultTrace};
 use std::io::Write;
 use std::sync::LazyLock;
 use strum::VariantArray;
@@ -19,7 +20,6 @@ pub enum Trace {
 }
 
 impl Default for Trace {
-    /// The node near the centre of the eye.
     fn default() -> Self {
         Self::Of(Quantity::ForceCentre)
     }
@@ -55,19 +55,10 @@ pub struct TraceRow {
     pub values: fn(&Traces) -> &[f64],
     /// What it is looked at with, and its place there.
     pub place: (Group, u8),
-    /// Column in CSV, if the trace has one of its own.
-    pub column: Option<Column>,
-}
-
-/// How a trace is written as CSV.
-#[derive(Clone, Copy)]
-pub struct Column {
-    /// Name with its unit: a contract.
-    pub name: &'static str,
-    /// Factor from SI to that unit.
-    pub factor: f64,
-    /// The value in text.
-    pub digits: fn(f64) -> String,
+    /// Column in CSV, a name with its unit, if the trace has one of its own: a contract.
+    pub column: Option<&'static str>,
+    /// Decimals there.
+    pub decimals: usize,
 }
 
 /// Every trace, by its place.
@@ -87,7 +78,13 @@ impl Trace {
     /// For a result without a trace.
     pub fn row(self) -> TraceRow {
         match self {
-            Self::Of(quantity) => of_result(quantity),
+            Self::Of(quantity) => {
+                let row = quantity.row();
+                let Some(ResultTrace { label, column, values, place }) = row.trace else {
+                    panic!("{} has no trace", row.key);
+                };
+                traced(label, column, row.unit, values, place)
+            }
             Self::Other(other) => other.row(),
         }
     }
@@ -107,76 +104,46 @@ impl Trace {
     }
 }
 
-fn of_result(quantity: Quantity) -> TraceRow {
-    let row = quantity.row();
-    let Some(trace) = row.trace else {
-        panic!("{} has no trace", row.key);
-    };
-    TraceRow {
-        label: trace.label,
-        ..named_as_column(row.unit, row.factor, trace.column, trace.values, trace.place)
-    }
-}
-
 /// Whether a projectile drives the eye.
 fn by_contact(traces: &Traces) -> bool {
     !traces.contact_force.is_empty()
 }
 
-/// What is named as its column and written in its unit.
-fn named_as_column(
-    unit: &'static str,
-    factor: f64,
+const fn traced(
+    label: &'static str,
     column: &'static str,
+    unit: &'static str,
     values: fn(&Traces) -> &[f64],
     place: (Group, u8),
 ) -> TraceRow {
-    TraceRow {
-        label: column,
-        unit,
-        factor,
-        values,
-        place,
-        column: Some(Column { name: column, factor, digits: |value| format!("{value:.9e}") }),
-    }
+    let factor = factor_to(unit);
+    TraceRow { label, unit, factor, values, place, column: Some(column), decimals: 9 }
 }
 
 impl OtherTrace {
     fn row(self) -> TraceRow {
         use Group::{Energies, Input, Motion, Projectile};
         match self {
-            Self::Load => TraceRow {
-                label: "load",
-                column: Some(Column {
-                    name: "load_n",
-                    factor: 1.0,
-                    digits: |newtons| format!("{newtons:.6e}"),
-                }),
-                ..named_as_column("N", 1.0, "", |t| &t.load, (Input, 0))
-            },
+            Self::Load => {
+                TraceRow { decimals: 6, ..traced("load", "load_n", "N", |t| &t.load, (Input, 0)) }
+            }
             Self::Drive => TraceRow {
-                values: |t| {
-                    if by_contact(t) { &t.contact_force } else { &t.load }
-                },
+                values: |t| if by_contact(t) { &t.contact_force } else { &t.load },
                 place: (Motion, 0),
                 column: None,
                 ..Self::Load.row()
             },
-            Self::Kinetic => TraceRow {
-                label: "kinetic",
-                ..named_as_column("J", 1.0, "kinetic_j", |t| &t.kinetic, (Energies, 0))
-            },
-            Self::Dissipated => TraceRow {
-                label: "dissipated",
-                ..named_as_column("J", 1.0, "dissipated_j", |t| &t.dissipated, (Energies, 2))
-            },
-            Self::ProjectileX => TraceRow {
-                label: "projectile x",
-                ..named_as_column("mm", 1e3, "projectile_x_mm", |t| &t.projectile, (Projectile, 1))
-            },
+            Self::Kinetic => traced("kinetic", "kinetic_j", "J", |t| &t.kinetic, (Energies, 0)),
+            Self::Dissipated => {
+                traced("dissipated", "dissipated_j", "J", |t| &t.dissipated, (Energies, 2))
+            }
+            Self::ProjectileX => {
+                traced("projectile x", "projectile_x_mm", "mm", |t| &t.projectile, (Projectile, 1))
+            }
             Self::ProjectileVx => {
                 let values: fn(&Traces) -> &[f64] = |t| &t.projectile_velocity;
-                named_as_column("m/s", 1.0, "projectile_vx_m_s", values, (Projectile, 3))
+                let name = "projectile_vx_m_s";
+                traced(name, name, "m/s", values, (Projectile, 3))
             }
         }
     }
@@ -188,15 +155,16 @@ impl OtherTrace {
 /// Whatever `out` reports.
 pub fn write_traces(traces: &Traces, out: impl Write) -> csv::Result<()> {
     let mut csv = csv::Writer::from_writer(out);
-    let column = |trace: &Trace| Some((trace.row().column?, trace.values(traces)));
-    let columns: Vec<(Column, &[f64])> =
-        TRACES.iter().filter_map(column).filter(|(_, values)| !values.is_empty()).collect();
-    let names = columns.iter().map(|(column, _)| column.name);
+    let rows = TRACES.iter().map(|trace| trace.row());
+    let rows = rows.filter(|row| !(row.values)(traces).is_empty());
+    let columns: Vec<(&str, TraceRow)> = rows.filter_map(|row| Some((row.column?, row))).collect();
+    let names = columns.iter().map(|(name, _)| *name);
     csv.write_record(std::iter::once("time_ms").chain(names))?;
     for (i, time) in traces.time.iter().enumerate() {
         csv.write_field(format!("{:.9}", time * 1e3))?;
-        for (column, values) in &columns {
-            csv.write_field((column.digits)(values[i] * column.factor))?;
+        for (_, row) in &columns {
+            let value = (row.values)(traces)[i] * row.factor;
+            csv.write_field(format!("{value:.*e}", row.decimals))?;
         }
         csv.write_record(None::<&[u8]>)?;
     }
@@ -214,8 +182,7 @@ mod tests {
             let row = trace.row();
             for other in TRACES[..i].iter().map(|other| other.row()) {
                 assert_ne!(row.place, other.place, "{}", row.label);
-                let name = |row: &TraceRow| row.column.map(|column| column.name);
-                assert!(row.column.is_none() || name(&row) != name(&other));
+                assert!(row.column.is_none() || row.column != other.column);
             }
         }
     }

@@ -1,23 +1,18 @@
 //! Whether the values of a scenario are allowed.
 //!
 //! Every problem is found, not only the first. Ranges come from the registry of fields; only rules
-//! that join two fields are written out here.
-//!
-//! What has been checked is a type of its own, so that nothing else can be simulated.
-
-use std::ops::Deref;
+//! that join two fields are written out here. Only what has been checked can be simulated.
 
 use crate::plain_text::printable;
-use crate::scenario::fields;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
 use crate::scenario::{
-    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile, Scenario, Support,
-    doubt,
+    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, doubt, fields,
 };
+use crate::scenario::{Projectile, Scenario, Support};
+use std::ops::Deref;
 
-/// A scenario whose every value is allowed: what simulations take. It reads as a [`Scenario`] and
-/// cannot be changed; change a [`Scenario`] and check it again.
+/// A scenario whose every value is allowed: what simulations take. It cannot be changed.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CheckedScenario(Scenario);
 
@@ -25,8 +20,7 @@ impl Scenario {
     /// Checks every value and gives the scenario as a type that can be simulated.
     ///
     /// # Errors
-    /// Names every field that is not allowed, its value and what would be, in the order of the
-    /// fields.
+    /// Names every field that is not allowed, its value and what would be.
     pub fn check(&self) -> Result<CheckedScenario, ScenarioError> {
         let ranges = FIELDS.iter().filter_map(|field| check_field(field, self));
         let rules = behind_bone(self)
@@ -42,8 +36,8 @@ impl Scenario {
     }
 }
 
-/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it. Nobody
-/// measures such a number, products of it have no digits at all, and it is slow to compute with.
+/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it: products of it
+/// have none at all, and it is slow to compute with.
 pub(super) fn near_zero_is_zero(scenario: &mut Scenario) {
     let zeroed = |number: &mut f64| {
         if number.is_finite() && !number.is_normal() {
@@ -83,14 +77,12 @@ impl CheckedScenario {
     }
 }
 
-/// The ranges of the field at `path` and of those inside it, and no rule that joins two fields:
-/// of two values set one after the other, the first may need the second.
+/// The ranges of the field at `path` and of those inside it. No rule that joins two fields: of two
+/// values set one after the other, the first may need the second.
 pub(super) fn check_inside(scenario: &Scenario, path: &str) -> Result<(), ScenarioError> {
-    let inside = |field: &&Field| {
-        field.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-    };
-    let ranges = FIELDS.iter().filter(inside);
-    let ranges = ranges.filter_map(|field| check_field(field, scenario));
+    let inside = |rest: &str| rest.is_empty() || rest.starts_with('.');
+    let inside = |field: &&Field| field.path.strip_prefix(path).is_some_and(inside);
+    let ranges = FIELDS.iter().filter(inside).filter_map(|field| check_field(field, scenario));
     outcome(ranges.chain(doubt::check(scenario)).collect())
 }
 
@@ -136,12 +128,9 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
 
 fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str> {
     if !number.is_finite() {
-        Some("is not a finite number")
-    } else if (min..=max).contains(&number) {
-        None
-    } else {
-        Some("is out of range")
+        return Some("is not a finite number");
     }
+    (!(min..=max).contains(&number)).then_some("is out of range")
 }
 
 /// The Paper model takes no object: in its flat section a ball is a rod.
@@ -149,19 +138,14 @@ fn object_at_paper(scenario: &Scenario) -> Option<Problem> {
     let (Model::Paper, Impact::Projectile(_)) = (&scenario.model, &scenario.impact) else {
         return None;
     };
-    Some(Problem::refused(
-        "model",
-        "Paper",
-        "takes no object, since a ball in its flat section is a rod",
-        "Physiological(...), or impact: ForcePulse(...)".to_owned(),
-    ))
+    let complaint = "takes no object, since a ball in its flat section is a rod";
+    let allowed = "Physiological(...), or impact: ForcePulse(...)".to_owned();
+    Some(Problem::refused("model", "Paper", complaint, allowed))
 }
 
-/// The problems of a scenario that the axisymmetric eye cannot take.
+/// What the axisymmetric eye cannot take.
 fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
-    let Some(model) = scenario.physiological() else {
-        return Vec::new();
-    };
+    let Some(model) = scenario.physiological() else { return Vec::new() };
     let mut problems = Vec::new();
     let mut refuse = |path, value: &str, complaint, allowed: &str| {
         problems.push(Problem::refused(path, value, complaint, allowed.to_owned()));
@@ -193,14 +177,11 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
         let lands = projectile.lands_at_deg();
         if in_holder && lands.is_some_and(|lands| lands > opening - EDGE_DEG) {
             let most = plain(opening - EDGE_DEG);
-            refuse(
-                "impact.angle_deg",
-                &plain(angle),
-                "brings the object onto the gelatin, not the eye",
-                &format!(
-                    "what lands up to {most} deg from the front, or a larger model.gelatin_opening_deg"
-                ),
+            let allowed = format!(
+                "what lands up to {most} deg from the front, or a larger model.gelatin_opening_deg"
             );
+            let complaint = "brings the object onto the gelatin, not the eye";
+            refuse("impact.angle_deg", &plain(angle), complaint, &allowed);
         }
         if projectile.speed_m_s <= FASTEST_M_S && projectile.energy_j() > MOST_ENERGY_J {
             let complaint = "brings more energy than model Physiological takes";
@@ -242,17 +223,10 @@ fn behind_bone(scenario: &Scenario) -> Option<Problem> {
     };
     let (angle, opening) = (pulse.angle_deg, scenario.eye.opening_deg);
     (angle.abs() > opening).then(|| {
-        let allowed = format!(
-            "{} to {} deg, the opening of the orbit (eye.opening_deg)",
-            plain(-opening),
-            plain(opening)
-        );
-        Problem::refused(
-            "impact.angle_deg",
-            &plain(angle),
-            "is out of range, since bone shields the eye there",
-            allowed,
-        )
+        let (least, most) = (plain(-opening), plain(opening));
+        let allowed = format!("{least} to {most} deg, the opening of the orbit (eye.opening_deg)");
+        let complaint = "is out of range, since bone shields the eye there";
+        Problem::refused("impact.angle_deg", &plain(angle), complaint, allowed)
     })
 }
 
@@ -260,9 +234,7 @@ fn behind_bone(scenario: &Scenario) -> Option<Problem> {
 fn too_high(scenario: &Scenario) -> Option<Problem> {
     let pulse = scenario.pulse()?;
     let force = fields::find("impact.force_n")?;
-    let Kind::Number(bounds, _) = &force.kind else {
-        return None;
-    };
+    let Kind::Number(bounds, _) = &force.kind else { return None };
     // A force that is itself out of range has been refused already.
     let stretched = pulse.force_n <= bounds.max && pulse.peak_n() > bounds.max;
     stretched.then(|| {
@@ -275,22 +247,19 @@ fn too_high(scenario: &Scenario) -> Option<Problem> {
 fn unknown_marks(scenario: &Scenario) -> Option<Problem> {
     let projectile = scenario.projectile()?;
     let known = |name: &&String| Projectile::FIELDS.contains(&name.as_str());
-    let stranger = projectile.unverified.iter().find(|name| !known(name))?;
-    Some(Problem::refused(
-        "impact.unverified",
-        &format!("{stranger:?}"),
-        "names no field of a projectile",
-        Projectile::FIELDS.join(", "),
-    ))
+    let stranger = format!("{:?}", projectile.unverified.iter().find(|name| !known(name))?);
+    let (complaint, allowed) = ("names no field of a projectile", Projectile::FIELDS.join(", "));
+    Some(Problem::refused("impact.unverified", &stranger, complaint, allowed))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_default_scenario_is_sound() {
-        assert_eq!(Scenario::default().check(), Ok(CheckedScenario::default()));
+    /// The fields that are refused, and the refusals.
+    fn refused(scenario: &Scenario) -> (Vec<String>, Vec<Problem>) {
+        let problems = scenario.check().unwrap_err().problems;
+        (problems.iter().map(|problem| problem.field.clone()).collect(), problems)
     }
 
     #[test]
@@ -300,59 +269,38 @@ mod tests {
         scenario.eye.opening_deg = 10.0;
         scenario.name = "\u{1b}[31m".to_owned();
         scenario.pulse_mut().unwrap().angle_deg = -10.5;
-        let error = scenario.check().unwrap_err();
-        let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
+        let (fields, problems) = refused(&scenario);
         assert_eq!(fields, ["name", "window_ms", "eye.filament_hops", "impact.angle_deg"]);
-        assert!(error.problems[3].message.contains("-10 to 10 deg"));
-        assert!(!error.to_string().contains('\u{1b}'));
+        assert!(problems[3].message.contains("-10 to 10 deg"));
+        assert!(!problems[0].to_string().contains('\u{1b}'));
     }
 
     #[test]
     fn an_object_is_refused_at_the_paper_model_and_doubts_what_it_has() {
-        let projectile = Projectile {
-            unverified: vec!["speed_m_s".to_owned(), "colour".to_owned()],
-            ..Projectile::default()
-        };
-        let scenario = Scenario { impact: Impact::Projectile(projectile), ..Scenario::default() };
-        let error = scenario.check().unwrap_err();
-        let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
+        let unverified = ["speed_m_s", "colour"].map(str::to_owned).to_vec();
+        let impact = Impact::Projectile(Projectile { unverified, ..Projectile::default() });
+        let (fields, problems) = refused(&Scenario { impact, ..Scenario::default() });
         assert_eq!(fields, ["model", "impact.unverified"]);
-        assert_eq!(
-            error.problems[0].to_string(),
-            "model: Paper takes no object, since a ball in its flat section is a rod: \
-             allowed Physiological(...), or impact: ForcePulse(...)"
-        );
-        assert!(error.problems[1].message.contains("colour"));
+        assert!(problems[1].message.contains("colour"));
     }
 
     #[test]
     fn the_axisymmetric_eye_has_its_own_limits_and_none_of_the_sections() {
-        let mut scenario = Scenario::of(Impact::Projectile(Projectile {
-            angle_deg: 60.0,
-            ..Projectile::default()
-        }));
-        assert!(scenario.check().is_ok());
-        let problem = |projectile: Projectile| {
-            let mut scenario = scenario.clone();
-            scenario.impact = Impact::Projectile(projectile);
-            scenario.check().unwrap_err().problems.remove(0)
-        };
-        let fast = problem(Projectile { speed_m_s: 201.0, ..Projectile::default() });
-        assert_eq!(fast.field, "impact.speed_m_s");
-        let heavy = problem(Projectile { mass_g: 700.0, speed_m_s: 30.0, ..Projectile::default() });
-        assert_eq!(heavy.field, "impact.mass_g");
-        assert_eq!(heavy.allowed.unwrap(), "up to 666.7 g at this speed, which is 300 J");
-        scenario.impact = Impact::Projectile(Projectile {
-            offset_mm: 1.0,
-            angle_deg: -91.0,
-            outline: Outline::Cylinder { edge_mm: 5.0 },
-            ..Projectile::default()
-        });
+        let of = |projectile| Scenario::of(Impact::Projectile(projectile));
+        let usual = Projectile::default();
+        assert!(of(Projectile { angle_deg: 60.0, ..usual.clone() }).check().is_ok());
+        let (fields, _) = refused(&of(Projectile { speed_m_s: 201.0, ..usual.clone() }));
+        assert_eq!(fields, ["impact.speed_m_s"]);
+        let (fields, problems) =
+            refused(&of(Projectile { mass_g: 700.0, speed_m_s: 30.0, ..usual.clone() }));
+        assert_eq!(fields, ["impact.mass_g"]);
+        let allowed = problems[0].allowed.as_deref();
+        assert_eq!(allowed, Some("up to 666.7 g at this speed, which is 300 J"));
+        let outline = Outline::Cylinder { edge_mm: 5.0 };
+        let mut scenario = of(Projectile { offset_mm: 1.0, angle_deg: -91.0, outline, ..usual });
         scenario.eye.level = 6;
-        let error = scenario.check().unwrap_err();
-        let fields: Vec<_> = error.problems.iter().map(|p| p.field.as_str()).collect();
+        let (fields, problems) = refused(&scenario);
         assert_eq!(fields, ["impact.angle_deg", "impact.outline.edge_mm", "eye.level"]);
-        let level = error.problems[2].to_string();
-        assert!(level.contains("numerics.geometry"), "{level}");
+        assert!(problems[2].message.contains("numerics.geometry"), "{}", problems[2]);
     }
 }

@@ -1,9 +1,10 @@
 //! Where a blow comes from and what it aims at, by the clock as an examiner who faces the patient
 //! sees it: the nose lies at 3 o'clock of a right eye and at 9 of a left one.
 
-use crate::scenario::{Impact, Projectile, Scenario};
+use crate::scenario::{Impact, Projectile, Scenario, plain};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
+use strum::IntoStaticStr;
 
 /// Hours of a clock.
 pub const HOURS: f64 = 12.0;
@@ -11,7 +12,7 @@ pub const HOURS: f64 = 12.0;
 pub const GLOBE_MM: f64 = 12.0;
 
 /// Which eye of a person.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Side {
     /// Its nose lies at 3 o'clock.
     #[default]
@@ -26,8 +27,7 @@ impl Side {
         self.turn(hour * TAU / HOURS)
     }
 
-    /// How far the hand of the clock has turned at an azimuth, or the azimuth at a turn: a left
-    /// eye is the mirror image.
+    /// The turn of the clock's hand at an azimuth, or the reverse: a left eye is the mirror image.
     pub fn turn(self, azimuth: f64) -> f64 {
         match self {
             Self::Right => azimuth,
@@ -51,8 +51,7 @@ impl Side {
     }
 }
 
-/// Of an azimuth and the one opposite that which lies higher, or at the nose where both lie level:
-/// a little below level still counts as level.
+/// Of an azimuth and its opposite that which lies higher, or at the nose where both lie level.
 pub fn upper(azimuth: f64) -> f64 {
     let (up, nose) = (libm::cos(azimuth), libm::sin(azimuth));
     let lower = up < -1e-9 || (up < 1e-9 && nose < 0.0);
@@ -85,9 +84,7 @@ pub fn o_clock(hour: f64) -> String {
 impl Impact {
     /// Turns an angle or offset below 0 to the other side of the clock.
     pub(super) fn by_the_clock(&mut self) {
-        let Self::Projectile(projectile) = self else {
-            return;
-        };
+        let Self::Projectile(projectile) = self else { return };
         let turned = |value: &mut f64, hour: &mut f64| {
             if *value < 0.0 {
                 *value = -*value;
@@ -112,8 +109,7 @@ impl Projectile {
         self.angle_deg == 0.0 && self.offset_mm == 0.0
     }
 
-    /// The front angle of the place on the globe that its path enters at, in degrees;
-    /// none if it goes past.
+    /// The front angle at which its path enters the globe, in degrees; none if it goes past.
     pub fn lands_at_deg(&self) -> Option<f64> {
         let inside = GLOBE_MM * GLOBE_MM - self.offset_mm * self.offset_mm;
         if inside < 0.0 {
@@ -133,18 +129,16 @@ impl Projectile {
 
     /// Where it comes from and what it aims at, in words; none if straight on.
     pub fn direction(&self, side: Side) -> Option<String> {
-        let mut parts = Vec::new();
-        if self.angle_deg != 0.0 {
-            let from = place(side.azimuth(self.angle_clock));
-            let angle = crate::scenario::plain(self.angle_deg);
-            parts.push(format!("from {from} at {angle} deg"));
+        let from = place(side.azimuth(self.angle_clock));
+        let towards = place(side.azimuth(self.offset_clock));
+        let angle = format!("from {from} at {} deg", plain(self.angle_deg));
+        let offset = format!("{} mm towards {towards}", plain(self.offset_mm));
+        match (self.angle_deg == 0.0, self.offset_mm == 0.0) {
+            (true, true) => None,
+            (false, true) => Some(angle),
+            (true, false) => Some(offset),
+            (false, false) => Some(format!("{angle}, {offset}")),
         }
-        if self.offset_mm != 0.0 {
-            let towards = place(side.azimuth(self.offset_clock));
-            let offset = crate::scenario::plain(self.offset_mm);
-            parts.push(format!("{offset} mm towards {towards}"));
-        }
-        (!parts.is_empty()).then(|| parts.join(", "))
     }
 }
 
@@ -196,23 +190,21 @@ mod tests {
     #[test]
     fn a_word_sets_the_hour_of_its_side_and_keeps_an_angle_that_is_there() {
         let mut scenario = Scenario::of(Impact::Projectile(Projectile::default()));
-        set(&mut scenario, "model.eye_side", "Left").unwrap();
-        set(&mut scenario, "impact.from", "Temple").unwrap();
-        let of = |scenario: &Scenario| {
-            let object = scenario.projectile().unwrap();
-            (object.angle_deg, object.angle_clock)
-        };
-        assert_eq!(of(&scenario), (30.0, 3.0));
-        set(&mut scenario, "impact.angle_deg", "12").unwrap();
-        set(&mut scenario, "impact.from", "Below").unwrap();
-        assert_eq!(of(&scenario), (12.0, 6.0));
         let from = crate::scenario::fields::find("impact.from").unwrap();
-        assert_eq!(from.text(&scenario).as_deref(), Some("Below"));
-        set(&mut scenario, "impact.from", "nasal").unwrap();
-        assert_eq!(of(&scenario), (12.0, 9.0));
+        set(&mut scenario, "model.eye_side", "Left").unwrap();
+        for (path, text, angle, hour, word) in [
+            ("impact.from", "Temple", 30.0, 3.0, "Temple"),
+            ("impact.angle_deg", "12", 12.0, 3.0, "Temple"),
+            ("impact.from", "Below", 12.0, 6.0, "Below"),
+            ("impact.from", "nasal", 12.0, 9.0, "Nose"),
+            ("impact.from", "StraightOn", 0.0, 9.0, "StraightOn"),
+        ] {
+            set(&mut scenario, path, text).unwrap();
+            let object = scenario.projectile().unwrap();
+            assert_eq!((object.angle_deg, object.angle_clock), (angle, hour), "{text}");
+            assert_eq!(from.text(&scenario).as_deref(), Some(word));
+        }
         let left = set(&mut scenario, "impact.from", "left").unwrap_err();
         assert!(left.to_string().contains("the nose or the temple"), "{left}");
-        set(&mut scenario, "impact.from", "StraightOn").unwrap();
-        assert_eq!(of(&scenario).0, 0.0);
     }
 }

@@ -1,22 +1,17 @@
 //! The one registry of everything in a scenario that can be set.
 //!
-//! Ranges, units, labels and steps stand here and nowhere else; the checks of a file, the command
-//! line's `--set`, forms and sweeps all read this table. A new field is one line in [`FIELDS`]; a
-//! new variant is one line in the table of its enum.
-//!
-//! Left out: rules that join two fields (see `check`) and the reading of typed text (see `set`).
+//! The checks of a file, the command line's `--set`, forms and sweeps all read [`FIELDS`]. Rules
+//! that join two fields are in `check`, the reading of typed text is in `set`.
 
 mod words;
 
-use std::mem::discriminant;
-
-use self::words::{Directions, Rims};
+use self::words::Directions;
+use crate::scenario::{FASTEST_M_S, ForcePulse, Geometry, Impact, auto::AUTO, direction::HOURS};
 use crate::scenario::{
-    FASTEST_M_S, ForcePulse, Geometry, Impact, Integrator, Lens, Model, Outline, Physiological,
-    Projectile, ProjectileStiffness, PulseShape, Scenario, Side, Species, Support, Surface,
-    integrator,
+    Integrator, Lens, Model, Outline, Physiological, integrator, problem::plain,
 };
-use crate::scenario::{auto::AUTO, direction::HOURS, problem::plain};
+use crate::scenario::{Projectile, ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species};
+use crate::scenario::{Support, Surface};
 
 /// Characters that a name may have.
 pub const LONGEST_NAME: usize = 80;
@@ -90,124 +85,48 @@ pub trait Choices {
     }
     /// The present variant; `None` where the scenario has no such field.
     fn get(&self, scenario: &Scenario) -> Option<&'static str>;
-    /// Takes the named variant with its default content, or keeps the present content where it is
-    /// that variant already. `false` if there is no such variant or no such field.
+    /// Takes the named variant with its default content, or keeps that which is there already.
+    /// `false` if there is no such variant or no such field.
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool;
 }
 
-type Variants<T> = &'static [(&'static str, fn() -> T)];
+/// Variants by name; what cannot be made from its name alone is kept by it.
+struct OneOf<T: 'static> {
+    /// Those that a name alone makes, with their default content.
+    variants: fn() -> Vec<T>,
+    place: Place<T>,
+    name: fn(&T) -> &'static str,
+    written: &'static [&'static str],
+}
 
-const MODELS: Variants<Model> = &[
-    ("Paper", || Model::Paper),
-    ("Physiological", || Model::Physiological(Physiological::default())),
-];
-const SPECIES: Variants<Species> = &[("Human", || Species::Human), ("Pig", || Species::Pig)];
-const SIDES: Variants<Side> = &[("Right", || Side::Right), ("Left", || Side::Left)];
-const GEOMETRIES: Variants<Geometry> = &[
-    ("Auto", || Geometry::Auto),
-    ("Axisymmetric", || Geometry::Axisymmetric),
-    ("Half", || Geometry::Half),
-    ("Full", || Geometry::Full),
-];
-const SUPPORTS: Variants<Support> =
-    &[("Orbit", || Support::Orbit), ("Gelatin", || Support::Gelatin), ("Free", || Support::Free)];
-const OUTLINES: Variants<Outline> =
-    &[("Sphere", || Outline::Sphere), ("Cylinder", || Outline::CYLINDER)];
-const SURFACES: Variants<Surface> = &[
-    ("Hard", || Surface::Hard),
-    ("Elastic", || Surface::ELASTIC),
-    ("Inflated", || Surface::INFLATED),
-    ("Splashing", || Surface::Splashing),
-];
-const IMPACTS: Variants<Impact> = &[
-    ("ForcePulse", || Impact::ForcePulse(ForcePulse::default())),
-    ("Projectile", || Impact::Projectile(Projectile::default())),
-];
-const STIFFNESSES: Variants<ProjectileStiffness> =
-    &[("Rigid", || ProjectileStiffness::Rigid), ("Linear", || ProjectileStiffness::LINEAR)];
-const SHAPES: Variants<PulseShape> = &[
-    ("SmoothRectangle", PulseShape::default),
-    ("Triangle", || PulseShape::Triangle),
-    ("HalfSine", || PulseShape::HalfSine),
-];
-const LENSES: Variants<Lens> = &[
-    ("Auto", || Lens::Auto),
-    ("Nodes", || Lens::Nodes),
-    ("Area", || Lens::Area),
-    ("Soft", || Lens::Soft),
-];
-
-struct OneOf<T: 'static>(Variants<T>, Place<T>);
+const fn one_of<T>(variants: fn() -> Vec<T>, place: Place<T>) -> OneOf<T>
+where
+    for<'a> &'a T: Into<&'static str>,
+{
+    OneOf { variants, place, name: |value| value.into(), written: &[] }
+}
 
 impl<T> Choices for OneOf<T> {
     fn names(&self) -> Vec<&'static str> {
-        self.0.iter().map(|(name, _)| *name).collect()
-    }
-
-    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        let present = discriminant((self.1.get)(scenario)?);
-        let same = |(_, make): &&(&str, fn() -> T)| discriminant(&make()) == present;
-        self.0.iter().find(same).map(|(name, _)| *name)
-    }
-
-    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        let wanted = self.0.iter().find(|(known, _)| *known == name);
-        let (Some((_, make)), Some(value)) = (wanted, (self.1.get_mut)(scenario)) else {
-            return false;
-        };
-        let fresh = make();
-        if discriminant(&fresh) != discriminant(value) {
-            *value = fresh;
-        }
-        true
-    }
-}
-
-/// An integrator by its name, or `Auto` for none.
-struct AnIntegrator(Place<Option<Integrator>>);
-
-impl Choices for AnIntegrator {
-    fn names(&self) -> Vec<&'static str> {
-        integrator::choices().map(integrator::spelling).collect()
-    }
-
-    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        (self.0.get)(scenario).map(|choice| integrator::spelling(*choice))
-    }
-
-    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        let wanted = integrator::choices().find(|choice| integrator::spelling(*choice) == name);
-        let (Some(wanted), Some(value)) = (wanted, (self.0.get_mut)(scenario)) else {
-            return false;
-        };
-        *value = wanted;
-        true
-    }
-}
-
-/// The shapes: a recorded curve cannot be made from a name, and is kept by one.
-struct Shapes(OneOf<PulseShape>);
-
-const TABLE: &str = "Table";
-
-impl Choices for Shapes {
-    fn names(&self) -> Vec<&'static str> {
-        self.0.names()
+        (self.variants)().iter().map(self.name).collect()
     }
 
     fn written(&self) -> &'static [&'static str] {
-        &["Table([(t_ms, share), ...])", "Csv(\"file.csv\")"]
+        self.written
     }
 
     fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        match &scenario.pulse()?.shape {
-            PulseShape::Table(_) => Some(TABLE),
-            _ => self.0.get(scenario),
-        }
+        (self.place.get)(scenario).map(self.name)
     }
 
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        self.get(scenario) == Some(name) || self.0.set(scenario, name)
+        let Some(value) = (self.place.get_mut)(scenario) else { return false };
+        let named = |value: &T| (self.name)(value) == name;
+        if !named(value) {
+            let Some(fresh) = (self.variants)().into_iter().find(named) else { return false };
+            *value = fresh;
+        }
+        true
     }
 }
 
@@ -273,26 +192,25 @@ const ANGLE: Place<f64> = Place {
     },
 };
 
-const N_PER_M: Place<f64> = of_variant!(
-    projectile, projectile_mut, stiffness, n_per_m in ProjectileStiffness::Linear { n_per_m }
-);
-const CYLINDER_EDGE: Place<f64> = of_variant!(
-    projectile, projectile_mut, outline, edge_mm in Outline::Cylinder { edge_mm }
-);
-const MODULUS_MPA: Place<f64> = of_variant!(
-    projectile, projectile_mut, surface,
-    modulus_mpa in Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. }
-);
-const KPA: Place<f64> = of_variant!(
-    projectile, projectile_mut, surface, kpa in Surface::Inflated { kpa, .. }
-);
-const PULSE_EDGE: Place<f64> = of_variant!(
-    pulse, pulse_mut, shape, edge_fraction in PulseShape::SmoothRectangle { edge_fraction }
-);
-
-/// Only one model chooses how much of the eye it computes.
-const CHOOSING: Place<Geometry> =
-    Place { get: Scenario::choosing, get_mut: Scenario::choosing_mut };
+const SHAPES: OneOf<PulseShape> = OneOf {
+    written: &["Table([(t_ms, share), ...])", "Csv(\"file.csv\")"],
+    ..one_of(
+        || vec![PulseShape::default(), PulseShape::Triangle, PulseShape::HalfSine],
+        within!(pulse, pulse_mut, shape),
+    )
+};
+const RIMS: OneOf<Rim> = OneOf {
+    variants: || Rim::NAMED.map(|(_, rim)| rim).to_vec(),
+    place: within!(orbit, orbit_mut, rim),
+    name: Rim::name,
+    written: &[],
+};
+const INTEGRATORS: OneOf<Option<Integrator>> = OneOf {
+    variants: || integrator::choices().collect(),
+    place: at!(numerics.integrator),
+    name: |choice| integrator::spelling(*choice),
+    written: &[],
+};
 
 const fn field(
     path: &'static str,
@@ -315,10 +233,10 @@ use within_bounds as b;
 #[rustfmt::skip]
 pub static FIELDS: &[Field] = &[
     field("name", "Name", "", "What lists and pages call this blow", Text(LONGEST_NAME, at!(name))),
-    field("model", "Model", "", "The paper's springs in a flat section, or a round eye of tissues", Choice(&OneOf(MODELS, at!(model)))),
-    field("model.species", "Species", "", "Whose eye: it sets the thickness of the walls", Choice(&OneOf(SPECIES, within!(physiological, physiological_mut, species)))),
-    field("model.eye_side", "Which eye", "", "The nose lies at 3 o'clock of the right eye, at 9 of the left", Choice(&OneOf(SIDES, within!(physiological, physiological_mut, eye_side)))),
-    field("model.support", "Held by", "", "What holds the globe: fat and bone, gelatin in a cup, or nothing", Choice(&OneOf(SUPPORTS, within!(physiological, physiological_mut, support)))),
+    field("model", "Model", "", "The paper's springs in a flat section, or a round eye of tissues", Choice(&one_of(|| vec![Model::Paper, Model::Physiological(Physiological::default())], at!(model)))),
+    field("model.species", "Species", "", "Whose eye: it sets the thickness of the walls", Choice(&one_of(|| vec![Species::Human, Species::Pig], within!(physiological, physiological_mut, species)))),
+    field("model.eye_side", "Which eye", "", "The nose lies at 3 o'clock of the right eye, at 9 of the left", Choice(&one_of(|| vec![Side::Right, Side::Left], within!(physiological, physiological_mut, eye_side)))),
+    field("model.support", "Held by", "", "What holds the globe: fat and bone, gelatin in a cup, or nothing", Choice(&one_of(|| vec![Support::Orbit, Support::Gelatin, Support::Free], within!(physiological, physiological_mut, support)))),
     field("model.globe_bulk_mpa", "Globe bulk modulus", "MPa", "How hard vitreous and lens are to compress", Number(b(10.0, 2200.0, 10.0, 100.0), within!(physiological, physiological_mut, globe_bulk_mpa))),
     field("model.vitreous_shear_pa", "Vitreous shear", "Pa", "How stiff the vitreous is against shear", Number(b(0.0, 1e5, 1.0, 10.0), within!(physiological, physiological_mut, vitreous_shear_pa))),
     field("model.vitreous_viscosity_pa_s", "Vitreous viscosity", "Pa s", "How thick the vitreous flows", Number(b(0.0, 100.0, 0.01, 0.1), within!(physiological, physiological_mut, vitreous_viscosity_pa_s))),
@@ -330,7 +248,7 @@ pub static FIELDS: &[Field] = &[
     field("model.fat_bulk_mpa", "Fat bulk modulus", "MPa", "How hard the fat around the globe is to compress", Number(b(0.05, 2200.0, 0.1, 1.0), within!(orbit, orbit_mut, fat_bulk_mpa))),
     field("model.fat_shear_kpa", "Fat shear", "kPa", "How stiff the fat around the globe is against shear", Number(b(0.0, 1e4, 1.0, 10.0), within!(orbit, orbit_mut, fat_shear_kpa))),
     field("model.orbit_opening_deg", "Orbit opening", "deg", "Angle from the front at which fat and bone begin", Number(b(40.0, 120.0, 1.0, 10.0), within!(orbit, orbit_mut, orbit_opening_deg))),
-    field("model.rim", "Orbit's rim", "", "Whose bone: it sets the eight lengths of the rim below", Choice(&Rims)),
+    field("model.rim", "Orbit's rim", "", "Whose bone: it sets the eight lengths of the rim below", Choice(&RIMS)),
     field("model.rim.depth_mm.above", "Brow rim depth", "mm", "How far behind the cornea's apex the rim lies above", rim!(depth_mm, above)),
     field("model.rim.depth_mm.nose", "Nose rim depth", "mm", "How far behind the cornea's apex the rim lies at the nose", rim!(depth_mm, nose)),
     field("model.rim.depth_mm.below", "Cheek rim depth", "mm", "How far behind the cornea's apex the rim lies below", rim!(depth_mm, below)),
@@ -342,7 +260,7 @@ pub static FIELDS: &[Field] = &[
     field("model.gelatin_bulk_mpa", "Gelatin bulk mod.", "MPa", "How hard the gelatin is to compress", Number(b(0.05, 2200.0, 10.0, 100.0), within!(gelatin, gelatin_mut, gelatin_bulk_mpa))),
     field("model.gelatin_shear_kpa", "Gelatin shear", "kPa", "How stiff the gelatin is against shear", Number(b(0.0, 1e4, 1.0, 10.0), within!(gelatin, gelatin_mut, gelatin_shear_kpa))),
     field("model.gelatin_opening_deg", "Gelatin opening", "deg", "Angle from the front at which gelatin and cup begin", Number(b(20.0, 120.0, 1.0, 10.0), within!(gelatin, gelatin_mut, gelatin_opening_deg))),
-    field("impact", "Impact", "", "A given force on the cornea, or an object that flies at it", Choice(&OneOf(IMPACTS, at!(impact)))),
+    field("impact", "Impact", "", "A given force on the cornea, or an object that flies at it", Choice(&one_of(|| vec![Impact::ForcePulse(ForcePulse::default()), Impact::Projectile(Projectile::default())], at!(impact)))),
     field("impact.force_n", "Peak force", "N", "The largest force on the loaded arc", Number(b(0.0, 1e5, 10.0, 100.0), within!(pulse, pulse_mut, force_n))),
     field("impact.duration_ms", "Duration", "ms", "From the first force to the last", Number(b(1e-4, 100.0, 0.01, 0.1), within!(pulse, pulse_mut, duration_ms))),
     field("impact.mass_g", "Mass", "g", "Of the object that hits the eye", Number(b(1e-3, 1e4, 0.1, 1.0), within!(projectile, projectile_mut, mass_g))),
@@ -353,21 +271,21 @@ pub static FIELDS: &[Field] = &[
     field("impact.angle_clock", "Hour of angle", "h", "12 above, 6 below; 3 the nose of a right eye, 9 of a left", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, angle_clock))),
     field("impact.offset_mm", "Off centre", "mm", "How far beside the middle of the cornea it aims", Number(b(0.0, 10.0, 0.5, 2.0), within!(projectile, projectile_mut, offset_mm))),
     field("impact.offset_clock", "Aims towards", "h", "The hour towards which it aims beside the middle", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, offset_clock))),
-    field("impact.stiffness", "Stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&OneOf(STIFFNESSES, within!(projectile, projectile_mut, stiffness)))),
-    field("impact.stiffness.n_per_m", "Spring stiffness", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), N_PER_M)),
-    field("impact.outline", "Shape", "", "A ball, or a rod with a flat end", Choice(&OneOf(OUTLINES, within!(projectile, projectile_mut, outline)))),
-    field("impact.outline.edge_mm", "Edge radius", "mm", "How round the edge of the flat end is", Number(b(0.01, 100.0, 0.1, 1.0), CYLINDER_EDGE)),
-    field("impact.surface", "Surface", "", "Hard, solid and elastic, gas or foam, or liquid in a skin", Choice(&OneOf(SURFACES, within!(projectile, projectile_mut, surface)))),
-    field("impact.surface.kpa", "Gives way at", "kPa", "The pressure beyond which its surface gives way", Number(b(1.0, 1e5, 1.0, 10.0), KPA)),
-    field("impact.surface.modulus_mpa", "Contact stiffness", "MPa", "How stiff its surface is at first touch", Number(b(1e-3, 1e6, 0.1, 1.0), MODULUS_MPA)),
+    field("impact.stiffness", "Stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&one_of(|| vec![ProjectileStiffness::Rigid, ProjectileStiffness::LINEAR], within!(projectile, projectile_mut, stiffness)))),
+    field("impact.stiffness.n_per_m", "Spring stiffness", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), of_variant!(projectile, projectile_mut, stiffness, n_per_m in ProjectileStiffness::Linear { n_per_m }))),
+    field("impact.outline", "Shape", "", "A ball, or a rod with a flat end", Choice(&one_of(|| vec![Outline::Sphere, Outline::CYLINDER], within!(projectile, projectile_mut, outline)))),
+    field("impact.outline.edge_mm", "Edge radius", "mm", "How round the edge of the flat end is", Number(b(0.01, 100.0, 0.1, 1.0), of_variant!(projectile, projectile_mut, outline, edge_mm in Outline::Cylinder { edge_mm }))),
+    field("impact.surface", "Surface", "", "Hard, solid and elastic, gas or foam, or liquid in a skin", Choice(&one_of(|| vec![Surface::Hard, Surface::ELASTIC, Surface::INFLATED, Surface::Splashing], within!(projectile, projectile_mut, surface)))),
+    field("impact.surface.kpa", "Gives way at", "kPa", "The pressure beyond which its surface gives way", Number(b(1.0, 1e5, 1.0, 10.0), of_variant!(projectile, projectile_mut, surface, kpa in Surface::Inflated { kpa, .. }))),
+    field("impact.surface.modulus_mpa", "Contact stiffness", "MPa", "How stiff its surface is at first touch", Number(b(1e-3, 1e6, 0.1, 1.0), of_variant!(projectile, projectile_mut, surface, modulus_mpa in Surface::Elastic { modulus_mpa } | Surface::Inflated { modulus_mpa, .. }))),
     field("impact.restitution", "Restitution", "", "Share of its speed that it keeps off a rigid wall", Number(b(0.0, 1.0, 0.01, 0.1), within!(lossy, lossy_mut, restitution))),
     field("impact.half_width_deg", "Half width", "deg", "Half of the arc that the force acts on", Number(b(1e-3, 90.0, 1.0, 5.0), within!(pulse, pulse_mut, half_width_deg))),
-    field("impact.shape", "Pulse shape", "", "How the force rises and falls", Choice(&Shapes(OneOf(SHAPES, within!(pulse, pulse_mut, shape))))),
-    field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), PULSE_EDGE)),
+    field("impact.shape", "Pulse shape", "", "How the force rises and falls", Choice(&SHAPES)),
+    field("impact.shape.edge_fraction", "Edge, of duration", "", "Share of the duration in which the force rises, and falls", Number(b(0.0, 0.5, 0.01, 0.1), of_variant!(pulse, pulse_mut, shape, edge_fraction in PulseShape::SmoothRectangle { edge_fraction }))),
     field("window_ms", "Simulated time", "ms", "How long to watch from the first contact on; auto until it is over", OptionalNumber(b(1e-3, 1e3, 0.1, 1.0), at!(window_ms))),
     field("eye.level", "Mesh level", "", "A finer mesh is slower and off by less", Integer(1, 8, at!(eye.level))),
     field("eye.opening_deg", "Orbit opening", "deg", "Angle from the front at which bone begins", Number(b(1.0, 120.0, 1.0, 10.0), of_section!(opening_deg))),
-    field("eye.lens", "Stiff lens", "", "Which springs are as stiff as the lens", Choice(&OneOf(LENSES, of_section!(lens)))),
+    field("eye.lens", "Stiff lens", "", "Which springs are as stiff as the lens", Choice(&one_of(|| vec![Lens::Auto, Lens::Nodes, Lens::Area, Lens::Soft], of_section!(lens)))),
     field("eye.filament_hops", "Filament hops", "", "How many nodes of the shell apart the filaments join", Integers(1, 17, 8, of_section!(filament_hops))),
     field("eye.filament_factor", "Filament stiffness", "x", "Multiplies the stiffness of the filaments; 0 leaves them out", Number(b(0.0, 1e3, 0.1, 1.0), of_section!(filament_factor))),
     field("eye.retina_deg", "Retina half-angle", "deg", "How far the retina reaches from the back of the eye", Number(b(0.0, 180.0, 1.0, 10.0), of_section!(retina_deg))),
@@ -378,9 +296,9 @@ pub static FIELDS: &[Field] = &[
     field("eye.globe_mass_g", "Globe mass", "g", "Shared by all nodes of the globe", Number(b(0.1, 100.0, 0.1, 1.0), of_section!(globe_mass_g))),
     field("eye.globe_drag_ns_m", "Globe drag", "N s/m", "What slows each node of the globe", Number(b(0.0, 1e3, 0.01, 0.1), of_section!(globe_drag_ns_m))),
     field("eye.fat_drag_ns_m", "Fat drag", "N s/m", "What slows each node of the fat", Number(b(0.0, 1e3, 0.01, 0.1), of_section!(fat_drag_ns_m))),
-    field("numerics.integrator", "Integrator", "", "How the motion is computed; Auto chooses for you", Choice(&AnIntegrator(at!(numerics.integrator)))),
+    field("numerics.integrator", "Integrator", "", "How the motion is computed; Auto chooses for you", Choice(&INTEGRATORS)),
     field("numerics.step_us", "Time step", "µs", "Time between two states; auto takes a stable one", OptionalNumber(b(1e-6, 1e3, 0.01, 0.1), at!(numerics.step_us))),
-    field("numerics.geometry", "Eye computed", "", "Auto: no more of the eye than the blow needs", Choice(&OneOf(GEOMETRIES, CHOOSING))),
+    field("numerics.geometry", "Eye computed", "", "Auto: no more of the eye than the blow needs", Choice(&one_of(|| vec![Geometry::Auto, Geometry::Axisymmetric, Geometry::Half, Geometry::Full], Place { get: Scenario::choosing, get_mut: Scenario::choosing_mut }))),
 ];
 
 /// The field at a dotted path.
@@ -407,9 +325,7 @@ impl Field {
 
     /// The bounds of a number in a scenario: how steep a blow may be hangs on what hits which eye.
     pub fn bounds_in(&self, scenario: &Scenario) -> Option<Bounds> {
-        let (Number(bounds, _) | OptionalNumber(bounds, _)) = &self.kind else {
-            return None;
-        };
+        let (Number(bounds, _) | OptionalNumber(bounds, _)) = &self.kind else { return None };
         if self.path != ANGLE_PATH {
             return Some(*bounds);
         }

@@ -1,20 +1,16 @@
 //! How much of the eye a scene needs, and so which eye computes it.
 //!
-//! Straight on, in a round holder, a half section turned about its axis is the whole. A blow from
-//! the side on a round support has one mirror plane, so half of the eye in three dimensions is the
-//! whole. A measured orbit has none.
-//!
-//! An object that bone stops straight on meets a round rim unless [`Geometry::Full`] is asked for:
-//! the mean of an orbit, which the brow is not.
+//! Straight on, a half section turned about its axis is the whole. A blow from the side on a round
+//! support has one mirror plane, so half of the eye in three dimensions is the whole; a measured
+//! orbit has none. Straight on, bone is a mean orbit unless [`Geometry::Full`] is asked for.
 
-use crate::scenario::{
-    FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile, STEEPEST_OBJECT_DEG,
-    Scenario, Support, TRUSTED_ANGLE_DEG,
-};
+use crate::scenario::{FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile};
+use crate::scenario::{STEEPEST_OBJECT_DEG, Scenario, Support, TRUSTED_ANGLE_DEG};
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// How much of the eye is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Geometry {
     /// As much as the scene needs.
     #[default]
@@ -38,8 +34,7 @@ impl Geometry {
 pub const FINEST_SPATIAL_LEVEL: u32 = 3;
 
 impl Projectile {
-    /// Whether its path and the line through the middle of the cornea that it aims beside lie in
-    /// one plane with the eye's axis.
+    /// Whether its path and what it aims at lie in one plane with the eye's axis.
     fn has_mirror_plane(&self) -> bool {
         let apart = (self.angle_clock - self.offset_clock).rem_euclid(6.0);
         self.angle_deg == 0.0 || self.offset_mm == 0.0 || apart == 0.0
@@ -53,9 +48,7 @@ impl Scenario {
         if self.numerics.geometry != Geometry::Auto {
             return Some(self.numerics.geometry);
         }
-        let Some(projectile) = self.projectile() else {
-            return Some(Geometry::Axisymmetric);
-        };
+        let Some(projectile) = self.projectile() else { return Some(Geometry::Axisymmetric) };
         Some(if projectile.is_straight_on() {
             Geometry::Axisymmetric
         } else if model.support != Support::Orbit && projectile.has_mirror_plane() {
@@ -65,8 +58,7 @@ impl Scenario {
         })
     }
 
-    /// The greatest angle of a blow, in degrees: bone shields the paper's eye beyond its
-    /// opening, and a force beyond a right angle would come from behind the equator.
+    /// The greatest angle of a blow, in degrees: bone shields the paper's eye beyond its opening.
     pub fn steepest_deg(&self) -> f64 {
         match (&self.model, &self.impact) {
             (Model::Paper, _) => self.eye.opening_deg,
@@ -75,8 +67,7 @@ impl Scenario {
         }
     }
 
-    /// The angle of a blow up to which the eye that is computed can be trusted, in degrees, if it
-    /// has one.
+    /// The angle of a blow up to which the eye that is computed can be trusted, in degrees.
     pub fn trusted_angle_deg(&self) -> Option<f64> {
         let turned = self.numerics.geometry == Geometry::Axisymmetric || self.pulse().is_some();
         self.geometry().map(|_| if turned { TRUSTED_ANGLE_DEG } else { STEEPEST_OBJECT_DEG })

@@ -1,9 +1,5 @@
-//! The integrators that a scenario may name.
-//!
-//! Only the names are here. What each of them is stands in `models::paper::time::method`, one row
-//! each, and the compiler asks there for the row of every name added here.
-//!
-//! None is spelled `Auto`: the program chooses.
+//! The integrators that a scenario may name; none is spelled `Auto`. What each of them is stands in
+//! `models::paper::time::method`.
 
 use crate::scenario::auto::AUTO;
 use serde::{Deserializer, Serializer, de};

@@ -2,68 +2,34 @@
 //!
 //! A person's presets are the `.ron` files in `contrecoup/presets` under `$XDG_CONFIG_HOME` (or
 //! `~/.config`), on every system. One with the name of a built-in preset takes its place, even if
-//! it is broken: running another blow than the one asked for would be worse than an error.
-//!
-//! Nothing is read before it is asked for; finding one preset does not touch the others.
-
-use std::borrow::Cow;
-use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
-
-use etcetera::BaseStrategy;
-use etcetera::base_strategy::Xdg;
+//! it is broken: to run another blow than the one asked for would be worse than an error. Nothing
+//! is read before it is asked for.
 
 use crate::files;
 use crate::scenario::Scenario;
 use crate::scenario::load::{load, parse, parse_file, read_text};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion};
+use etcetera::BaseStrategy;
+use etcetera::base_strategy::Xdg;
+use std::borrow::Cow;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
 
 /// Names and texts of the listed files in `presets/`.
 macro_rules! built_in {
-    ($($name:literal),* $(,)?) => {
+    ($($name:literal)*) => {
         &[$(($name, include_str!(concat!("../../presets/", $name, ".ron")))),*]
     };
 }
 
 static BUILT_IN: &[(&str, &str)] = built_in![
-    "air-rifle-pellet",
-    "airbag-foam",
-    "airsoft-75",
-    "airsoft-99",
-    "baseball-34",
-    "baseball-41",
-    "bb-56",
-    "bb-62",
-    "bb-92",
-    "champagne-cork",
-    "fine-mesh",
-    "fist",
-    "foam-dart",
-    "gel-ball",
-    "golf-ball",
-    "half-sine-below",
-    "hockey-puck",
-    "narrow-blow",
-    "no-filaments",
-    "off-axis-triangle",
-    "paintball",
-    "paper-100n",
-    "paper-300n",
-    "paper-600n",
-    "pickleball",
-    "racquetball",
-    "sharp-edges",
-    "shuttlecock",
-    "small-area",
-    "soccer-ball",
-    "soft-triangle",
-    "softball",
-    "sponge-round",
-    "squash-ball",
-    "tennis-ball",
-    "test-ball-46",
-    "wide-area",
+    "air-rifle-pellet" "airbag-foam" "airsoft-75" "airsoft-99" "baseball-34" "baseball-41" "bb-56"
+    "bb-62" "bb-92" "champagne-cork" "fine-mesh" "fist" "foam-dart" "gel-ball" "golf-ball"
+    "half-sine-below" "hockey-puck" "narrow-blow" "no-filaments" "off-axis-triangle" "paintball"
+    "paper-100n" "paper-300n" "paper-600n" "pickleball" "racquetball" "sharp-edges" "shuttlecock"
+    "small-area" "soccer-ball" "soft-triangle" "softball" "sponge-round" "squash-ball"
+    "tennis-ball" "test-ball-46" "wide-area"
 ];
 
 /// Where a preset comes from.
@@ -90,12 +56,10 @@ impl Preset {
     }
 
     fn user(name: String, path: PathBuf) -> Self {
-        let origin = Origin::User(path);
-        Self { name, origin }
+        Self { name, origin: Origin::User(path) }
     }
 
-    /// The RON text as it stands, comments included. A file is read when this is called: thousands
-    /// of presets take no memory.
+    /// The RON text as it stands, comments included. A file is read when this is called.
     ///
     /// # Errors
     /// Says why it cannot be read.
@@ -137,14 +101,7 @@ pub fn built_in() -> Vec<Preset> {
 /// # Errors
 /// Where the person's folder exists but cannot be listed.
 pub fn list() -> Result<Vec<Preset>, ScenarioError> {
-    let mut presets = built_in();
-    let own: Vec<Preset> = user_files()?
-        .into_iter()
-        .filter_map(|path| {
-            let name = path.file_stem()?.to_string_lossy().into_owned();
-            Some(Preset::user(name, path))
-        })
-        .collect();
+    let (mut presets, own) = (built_in(), own_presets()?);
     presets.retain(|preset| own.iter().all(|own| own.name != preset.name));
     presets.extend(own);
     presets.sort_by(|a, b| a.name.cmp(&b.name));
@@ -228,10 +185,8 @@ pub(crate) fn home() -> Option<PathBuf> {
     Some(Xdg::new().ok()?.config_dir().join("contrecoup"))
 }
 
-fn user_files() -> Result<Vec<PathBuf>, ScenarioError> {
-    let Some(folder) = folder() else {
-        return Ok(Vec::new());
-    };
+fn own_presets() -> Result<Vec<Preset>, ScenarioError> {
+    let Some(folder) = folder() else { return Ok(Vec::new()) };
     let failed = |error: io::Error| {
         let message = format!("the folder of presets cannot be listed: {error}");
         ScenarioError::from(Problem::new("", message).of(&folder.display().to_string()))
@@ -241,15 +196,15 @@ fn user_files() -> Result<Vec<PathBuf>, ScenarioError> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(error) => return Err(failed(error)),
     };
-    let mut files = Vec::new();
+    let mut own = Vec::new();
     for entry in entries {
         let path = entry.map_err(failed)?.path();
-        let stem = path.file_stem().is_some_and(|stem| is_plain(&stem.to_string_lossy()));
-        if stem && path.extension().is_some_and(|extension| extension == "ron") {
-            files.push(path);
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        if is_plain(&name) && path.extension().is_some_and(|extension| extension == "ron") {
+            own.push(Preset::user(name, path));
         }
     }
-    Ok(files)
+    Ok(own)
 }
 
 #[cfg(test)]

@@ -1,24 +1,19 @@
-//! Reading a scenario from a file.
-//!
-//! A file may come from anywhere, so it is read with a limit, only if it is a regular file, and
-//! what it holds reaches a message only escaped.
-
-use std::path::Path;
+//! Reading a scenario from a file, which may come from anywhere.
 
 use crate::plain_text::MAX_LINES;
 use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::{Scenario, text_file};
-use crate::scenario::{locate::locate, ron_text::read, text_file::without_mark};
+use crate::scenario::{
+    Scenario, locate::locate, ron_text::read, text_file, text_file::without_mark,
+};
+use std::path::Path;
 
 pub use crate::scenario::ron_text::to_ron;
 
-/// Reads a scenario from RON text that has no place, so that it can name no file of a curve;
-/// `origin` is what messages call the text.
+/// Reads a scenario from RON text, which can name no file of a curve; messages call it `origin`.
 ///
 /// # Errors
-/// Gives the first problem of syntax or type, or else every value that is out of range, each with
-/// its line and column.
+/// The first problem of syntax or type, or else every value out of range, with line and column.
 pub fn parse(text: &str, origin: &str) -> Result<Scenario, ScenarioError> {
     parse_with_base(text, origin, &PathBase::Nowhere)
 }
@@ -39,8 +34,8 @@ fn parse_with_base(text: &str, origin: &str, base: &PathBase) -> Result<Scenario
     let checked = scenario.check().map_err(|mut error| {
         // Each place is looked for from the beginning, and no more of them are ever read.
         for problem in error.problems.iter_mut().take(MAX_LINES) {
-            let (line, column) = locate(text, &problem.field);
-            (problem.line, problem.column) = (Some(line), Some(column));
+            let at = locate(text, &problem.field);
+            *problem = std::mem::take(problem).at(at);
         }
         error.of(origin)
     })?;
@@ -55,10 +50,7 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
     parse_file(&read_text(path)?, path)
 }
 
-/// The text of a scenario file, without looking into it.
-///
-/// # Errors
-/// Says why the file cannot be read: missing, too large, no regular file, not UTF-8.
+/// The text of a scenario file, or why it cannot be read.
 pub(crate) fn read_text(path: &Path) -> Result<String, ScenarioError> {
     text_file::read(path)
         .map_err(|why| Problem::new("", why).of(&path.display().to_string()).into())
@@ -107,27 +99,17 @@ mod tests {
     }
 
     #[test]
-    fn content_is_escaped_in_messages() {
-        for text in ["(\u{1b}[2J: 1)", "(name: \u{1b}]0;x\u{7})", "(na\u{9b}me: 1)", "\u{0}"] {
-            assert!(!complaint(text).contains(|c: char| c.is_control()), "{text:?}");
-        }
-    }
-
-    #[test]
     fn the_physiological_model_may_stand_without_brackets() {
+        let object = "impact: Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 5)";
         for model in ["Physiological", "Physiological()", "Physiological (species: Human)"] {
             for end in [",", "\n,"] {
-                let text = format!(
-                    "(name: \"x\",\n  model: {model}{end} impact: Projectile(mass_g: 1, diameter_mm: 6, \
-                     speed_m_s: 5))"
-                );
+                let text = format!("(name: \"x\",\n  model: {model}{end} {object})");
                 let scenario = parse(&text, "here").unwrap();
                 assert_eq!(scenario.model, Model::Physiological(Physiological::default()));
                 assert_eq!(parse(&to_ron(&scenario), "here").unwrap(), scenario);
             }
         }
-        let unnamed = "(name: \"x\", impact: Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 5))";
-        let scenario = parse(unnamed, "here").unwrap();
+        let scenario = parse(&format!("(name: \"x\", {object})"), "here").unwrap();
         assert_eq!(scenario.model, Model::Physiological(Physiological::default()));
         let error = complaint("(name: \"x\", impact: Projectile(mass_g: 1, speed_m_s: 5))");
         assert!(error.contains("diameter_mm"), "{error}");

@@ -1,10 +1,7 @@
 //! What a person asks for, in their own units.
 //!
-//! A [`Scenario`] is one blow to one eye. It is read from RON, checked field by field, and never
-//! changed by anything below it. Units live in the names of the fields (`force_n`, `duration_ms`);
-//! the rooms below convert once to SI.
-//!
-//! Left out: anything computed. A scenario holds no result, so a file can be shared and re-run.
+//! A [`Scenario`] is one blow to one eye, read from RON and checked field by field. Units live in
+//! the names of the fields (`force_n`, `duration_ms`); the rooms below convert once to SI.
 
 mod auto;
 mod check;
@@ -47,6 +44,7 @@ pub use crate::scenario::projectile::{
 pub use crate::scenario::rim::{Around, Rim};
 use curve_file::CurveFile;
 use serde::{Deserialize, Deserializer, Serialize};
+use strum::IntoStaticStr;
 
 /// The finest mesh level of any model.
 pub const FINEST_LEVEL: u32 = 8;
@@ -61,16 +59,15 @@ pub struct Scenario {
     pub model: Model,
     /// What hits the eye.
     pub impact: Impact,
-    /// Simulated time from the first contact, in ms; none, spelled `Auto`, lasts until nothing can
-    /// grow.
+    /// Simulated time from the first contact, in ms; none (`Auto`) lasts until nothing can grow.
     #[serde(serialize_with = "auto::serialize")]
     pub window_ms: Option<f64>,
     /// Anatomy and mesh.
     pub eye: EyeInput,
     /// Integrator and step.
     pub numerics: NumericsInput,
-    /// Standard deviations of numbers that are in doubt, by the path of their field, in the unit of
-    /// the field. No single run changes by them; an ensemble draws from them.
+    /// Standard deviations of numbers that are in doubt, by the path of their field and in its
+    /// unit. No single run changes by them; an ensemble draws from them.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub doubt: BTreeMap<String, f64>,
 }
@@ -125,8 +122,7 @@ impl Scenario {
     }
 
     /// Simulated time in ms, where it is known before a run: what is asked, else of a pulse at the
-    /// Paper model, whose drag stills the eye within 2 ms, the customary 3 ms or as long as that
-    /// takes.
+    /// Paper model 3 ms, or until its drag has stilled the eye, within 2 ms after the pulse.
     pub fn known_window_ms(&self) -> Option<f64> {
         match (&self.model, &self.impact) {
             _ if self.window_ms.is_some() => self.window_ms,
@@ -151,15 +147,14 @@ impl Default for Scenario {
 }
 
 /// Which model of the eye, with its materials and forces.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Model {
-    /// The mass-spring-damper eye of Sathyanarayanan, Mahadas and Hung (2013): unit depth, drag on
-    /// every node. It takes force pulses only: a ball in its flat section would be a rod.
+    /// The mass-spring-damper eye of Sathyanarayanan, Mahadas and Hung (2013), of unit depth. It
+    /// takes force pulses only: a ball in its flat section would be a rod.
     #[default]
     Paper,
-    /// An axisymmetric eye about the line of the blow, with tissues that have a bulk modulus each
-    /// and a shell that has a thickness.
+    /// A round eye of tissues, axisymmetric or in three dimensions.
     Physiological(Physiological),
 }
 
@@ -180,7 +175,7 @@ impl Model {
         }
     }
 
-    /// It in words, with what was chosen of it.
+    /// In words, with what was chosen of it.
     pub fn description(&self) -> String {
         match self {
             Self::Paper => "Paper model, unit depth (1 m)".to_owned(),
@@ -198,7 +193,7 @@ impl Model {
 }
 
 /// What hits the eye.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Impact {
     /// A force on an arc of the cornea that follows a given pulse in time.
@@ -223,9 +218,8 @@ impl Impact {
 pub struct ForcePulse {
     /// Peak of the total force, in N; of a table, the force that a share of 1 stands for.
     pub force_n: f64,
-    /// Time from the start of the blow to the last force, in ms. A table is stretched in time so
-    /// that its last knot falls there; a text that gives a table and no duration leaves its times
-    /// as they are.
+    /// Time from the start of the blow to the last force, in ms. A table is stretched so that its
+    /// last knot falls there; a text with a table and no duration leaves its times as they are.
     pub duration_ms: f64,
     /// Front angle of the middle of the arc, in degrees: 0 at the corneal apex, positive above.
     pub angle_deg: f64,
@@ -304,7 +298,7 @@ impl From<WrittenPulse> for ForcePulse {
 }
 
 /// How the force of a pulse rises and falls.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(from = "WrittenShape")]
 pub enum PulseShape {
     /// Constant, with raised-cosine edges.
@@ -320,8 +314,7 @@ pub enum PulseShape {
     Table(Curve),
 }
 
-/// A shape as text gives it: a curve may stand in a file, which is read at once, so that a
-/// scenario in memory, or saved elsewhere, holds the curve itself.
+/// A shape as text gives it: a curve may stand in a file, which is read at once.
 #[derive(Deserialize)]
 #[serde(rename = "PulseShape", deny_unknown_fields)]
 enum WrittenShape {
@@ -360,8 +353,7 @@ impl Default for PulseShape {
     }
 }
 
-/// Anatomy, materials and mesh. Every default is the value of Sathyanarayanan, Mahadas and Hung
-/// (2013).
+/// Anatomy, materials and mesh, by default those of Sathyanarayanan, Mahadas and Hung (2013).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct EyeInput {
@@ -413,9 +405,8 @@ impl Default for EyeInput {
     }
 }
 
-/// Which springs have the lens modulus. Files may say `true` for [`Lens::Auto`] and `false` for
-/// [`Lens::Soft`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+/// Which springs have the lens modulus; files may say `true` for `Auto` and `false` for `Soft`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Lens {
     /// By nodes at level 1, as in the paper, and by area at finer levels.
     #[default]

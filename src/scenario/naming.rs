@@ -5,18 +5,14 @@ use crate::scenario::{Scenario, problem::plain};
 
 /// The number of a field with its unit, as names have it: `40 m/s`.
 fn written(scenario: &Scenario, field: &Field) -> Option<String> {
-    let Kind::Number(_, place) = &field.kind else {
-        return None;
-    };
+    let Kind::Number(_, place) = &field.kind else { return None };
     let value = (place.get)(scenario)?;
     (!field.unit.is_empty()).then(|| format!("{} {}", plain(*value), field.unit))
 }
 
 /// Where a field has changed whose number stands in the name, it is the new one there.
 pub(super) fn follow(scenario: &mut Scenario, before: &Scenario, field: &Field) {
-    let (Some(old), Some(new)) = (written(before, field), written(scenario, field)) else {
-        return;
-    };
+    let (Some(old), Some(new)) = (written(before, field), written(scenario, field)) else { return };
     let outside =
         |sign: Option<char>| !sign.is_some_and(|sign| sign.is_ascii_alphanumeric() || sign == '.');
     let name = &before.name;

@@ -1,75 +1,65 @@
 //! The parts of a scenario that only some variants have.
 
-use crate::scenario::{
-    ForcePulse, Geometry, Impact, Model, Physiological, Projectile, ProjectileStiffness, Scenario,
-    Support, Surface,
-};
+use crate::scenario::{ForcePulse, Geometry, Impact, Model, Physiological, Projectile};
+use crate::scenario::{ProjectileStiffness, Scenario, Support, Surface};
 
-/// Both accessors of what one variant of a part holds.
+/// Both accessors of what one variant of a part holds, which has the name of the variant.
 macro_rules! variant {
-    ($part:ident, $variant:path, $held:ty, $get:ident, $get_mut:ident, $what:literal) => {
-        #[doc = $what]
+    ($(#[$doc:meta])* $get:ident, $get_mut:ident, $part:ident in $kind:ident::$held:ident) => {
+        $(#[$doc])*
         pub fn $get(&self) -> Option<&$held> {
-            if let $variant(held) = &self.$part { Some(held) } else { None }
+            if let $kind::$held(held) = &self.$part { Some(held) } else { None }
         }
 
-        #[doc = $what]
+        $(#[$doc])*
         pub fn $get_mut(&mut self) -> Option<&mut $held> {
-            if let $variant(held) = &mut self.$part { Some(held) } else { None }
+            if let $kind::$held(held) = &mut self.$part { Some(held) } else { None }
         }
     };
 }
 
+/// Both accessors of a part as long as it is of some kind.
+macro_rules! only {
+    ($get:ident, $get_mut:ident, $whole:ident, $whole_mut:ident -> $held:ident, $is:expr) => {
+        pub(super) fn $get(&self) -> Option<&$held> {
+            self.$whole().filter(|held| $is(held))
+        }
+
+        pub(super) fn $get_mut(&mut self) -> Option<&mut $held> {
+            self.$whole_mut().filter(|held| $is(held))
+        }
+    };
+}
+
+fn in_orbit(eye: &Physiological) -> bool {
+    eye.support == Support::Orbit
+}
+
+fn in_gelatin(eye: &Physiological) -> bool {
+    eye.support == Support::Gelatin
+}
+
+/// By its spring or its surface: nothing else loses energy.
+fn gives_way(object: &Projectile) -> bool {
+    object.stiffness != ProjectileStiffness::Rigid || object.surface != Surface::Hard
+}
+
 impl Scenario {
-    variant!(
-        impact,
-        Impact::ForcePulse,
-        ForcePulse,
-        pulse,
-        pulse_mut,
-        "The force that hits the eye, if a force does."
-    );
-    variant!(
-        impact,
-        Impact::Projectile,
-        Projectile,
-        projectile,
-        projectile_mut,
-        "The object that hits the eye, if one does."
-    );
-    variant!(
-        model,
-        Model::Physiological,
-        Physiological,
-        physiological,
-        physiological_mut,
-        "What the eye of the Physiological model is made of."
-    );
-
-    pub(super) fn orbit(&self) -> Option<&Physiological> {
-        self.physiological().filter(|parts| parts.support == Support::Orbit)
+    variant! {
+        /// The force that hits the eye, if a force does.
+        pulse, pulse_mut, impact in Impact::ForcePulse
     }
-
-    pub(super) fn orbit_mut(&mut self) -> Option<&mut Physiological> {
-        self.physiological_mut().filter(|parts| parts.support == Support::Orbit)
+    variant! {
+        /// The object that hits the eye, if one does.
+        projectile, projectile_mut, impact in Impact::Projectile
     }
-
-    pub(super) fn gelatin(&self) -> Option<&Physiological> {
-        self.physiological().filter(|parts| parts.support == Support::Gelatin)
+    variant! {
+        /// What the eye of the Physiological model is made of.
+        physiological, physiological_mut, model in Model::Physiological
     }
-
-    pub(super) fn gelatin_mut(&mut self) -> Option<&mut Physiological> {
-        self.physiological_mut().filter(|parts| parts.support == Support::Gelatin)
-    }
-
-    /// An object that gives way, by its spring or its surface: nothing else loses energy.
-    pub(super) fn lossy(&self) -> Option<&Projectile> {
-        self.projectile().filter(|object| gives_way(object))
-    }
-
-    pub(super) fn lossy_mut(&mut self) -> Option<&mut Projectile> {
-        self.projectile_mut().filter(|object| gives_way(object))
-    }
+    only!(orbit, orbit_mut, physiological, physiological_mut -> Physiological, in_orbit);
+    only!(gelatin, gelatin_mut, physiological, physiological_mut -> Physiological, in_gelatin);
+    only!(lossy, lossy_mut, projectile, projectile_mut -> Projectile, gives_way);
 
     /// The scenario, if it is of the Paper model.
     pub(super) fn section(&self) -> Option<&Self> {
@@ -89,8 +79,4 @@ impl Scenario {
         self.physiological()?;
         Some(&mut self.numerics.geometry)
     }
-}
-
-fn gives_way(object: &Projectile) -> bool {
-    object.stiffness != ProjectileStiffness::Rigid || object.surface != Surface::Hard
 }

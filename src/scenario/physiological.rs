@@ -1,18 +1,15 @@
-//! The Physiological model: an axisymmetric eye about the line of the blow.
-//!
-//! Each default has its source in the model itself. This holds what a person may change of it. Of
-//! [`crate::scenario::EyeInput`] it takes the level alone: the rest there is of the section.
+//! What a person may change of the Physiological model, where each default has its source. Of
+//! [`crate::scenario::EyeInput`] it takes the level alone.
 
 use crate::scenario::{Rim, Side, is_default};
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
-/// Angle of a blow up to which the model can be trusted, in degrees: bone turns with the axis of
-/// the blow, which an orbit does not.
+/// Angle of a blow, in degrees, up to which bone that turns with its axis can be trusted.
 pub const TRUSTED_ANGLE_DEG: f64 = 40.0;
-/// The fastest object that the model takes, in m/s, and the most energy that one brings, in J:
-/// what is beyond them goes into an eye instead of denting it.
+/// The fastest object that the model takes, in m/s: a faster one goes into an eye.
 pub const FASTEST_M_S: f64 = 200.0;
-/// See [`FASTEST_M_S`].
+/// The most energy that one brings, in J.
 pub const MOST_ENERGY_J: f64 = 300.0;
 /// The finest mesh level of this model.
 pub const FINEST_PHYSIOLOGICAL_LEVEL: u32 = 5;
@@ -63,10 +60,7 @@ pub struct Physiological {
 impl Physiological {
     /// It in words, with species and support.
     pub(super) fn description(&self) -> String {
-        let species = match self.species {
-            Species::Human => "human",
-            Species::Pig => "pig",
-        };
+        let species = <&str>::from(self.species).to_lowercase();
         let support = match self.support {
             Support::Orbit => "in its orbit",
             Support::Gelatin => "in gelatin",
@@ -76,8 +70,7 @@ impl Physiological {
     }
 
     /// Of the published Young's modulus of fat, 47 kPa, with a Poisson ratio of 0.49. A ratio of
-    /// 0.48 makes half of it, which is what the two tests of an impactor in the orbit want: the
-    /// one number that is fitted (`contrecoup verify fit`).
+    /// 0.48 makes half of it, as two tests of an impactor in the orbit want: the one fitted number.
     pub const PUBLISHED_FAT_BULK_MPA: f64 = 0.78;
 }
 
@@ -107,7 +100,7 @@ impl Default for Physiological {
 }
 
 /// Whose eye.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Species {
     /// Thicknesses of human eyes (Vurgese et al. 2012).
     #[default]
@@ -117,7 +110,7 @@ pub enum Species {
 }
 
 /// What holds the globe.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Support {
     /// Fat in a rigid bony cone, as in the head.
     #[default]

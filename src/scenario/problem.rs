@@ -1,15 +1,11 @@
 //! What is wrong with a scenario, and where.
 //!
-//! A [`Problem`] carries its parts in separate fields, so that a form can put the message beside
-//! the right input while the command line prints one line that an editor can jump to.
-//!
-//! Text that a person or a file supplied is made safe and cut on the way into a message: see
-//! `plain_text`.
-
-use std::fmt;
+//! A form puts the message of a [`Problem`] beside the right input, the command line prints one
+//! line that an editor can jump to. Somebody else's text is made safe and cut on its way there.
 
 use crate::plain_text;
 use crate::plain_text::{LONGEST_QUOTE, quoted};
+use std::fmt;
 
 /// One thing that is wrong with a scenario.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -39,12 +35,14 @@ impl Problem {
     /// A complaint about one value of a field: "-5 is out of range: allowed 0 to 100000 N".
     pub fn refused(field: &str, value: &str, complaint: &str, allowed: String) -> Self {
         let value = quoted(value);
-        Self {
-            message: format!("{value} {complaint}: allowed {allowed}"),
-            value: Some(value),
-            allowed: Some(allowed),
-            ..Self::new(field, "")
-        }
+        let complaint = format!("{value} {complaint}");
+        Self { value: Some(value), ..Self::lacking(field, &complaint, allowed) }
+    }
+
+    /// A complaint that there is no value.
+    pub fn lacking(field: &str, complaint: &str, allowed: String) -> Self {
+        let message = format!("{complaint}: allowed {allowed}");
+        Self { allowed: Some(allowed), ..Self::new(field, message) }
     }
 
     /// The same problem, said of the given file or preset.
@@ -65,21 +63,16 @@ impl Problem {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut gap = "";
-        if !self.origin.is_empty() {
-            f.write_str(&plain_text::message(&self.origin))?;
-            gap = ": ";
-        }
-        if let (Some(line), Some(column)) = (self.line, self.column) {
-            let colon = if gap.is_empty() { "" } else { ":" };
-            write!(f, "{colon}{line}:{column}")?;
-            gap = ": ";
-        }
-        if !self.field.is_empty() {
-            write!(f, "{gap}{}", quoted(&self.field))?;
-            gap = ": ";
-        }
-        write!(f, "{gap}{}", plain_text::message(&self.message))
+        let origin = plain_text::message(&self.origin);
+        let position = self.line.zip(self.column).map(|(line, column)| format!("{line}:{column}"));
+        let place = match position {
+            Some(position) if origin.is_empty() => position,
+            Some(position) => format!("{origin}:{position}"),
+            None => origin,
+        };
+        let parts = [place, quoted(&self.field), plain_text::message(&self.message)];
+        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        f.write_str(&parts.join(": "))
     }
 }
 
@@ -150,9 +143,8 @@ fn by_likeness<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Ve
     scored
 }
 
-/// How much a mistyped name is like another, from 0 to 1. A path is recognised by its whole or by
-/// its last part, a name by any part of it: `force_n` means `impact.force_n`, and `verlet`
-/// `VelocityVerlet`.
+/// How much a mistyped name is like another, from 0 to 1, by its whole, its last part or any part:
+/// `force_n` means `impact.force_n`, and `verlet` `VelocityVerlet`.
 pub fn likeness(typed: &str, candidate: &str) -> f64 {
     let bare = |name: &str| name.to_lowercase();
     if typed.chars().count() >= SHORTEST_PART && bare(candidate).contains(&bare(typed)) {
@@ -164,10 +156,12 @@ pub fn likeness(typed: &str, candidate: &str) -> f64 {
 
 /// "; did you mean a or b?", or nothing.
 pub fn suggestion<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> String {
-    match nearest(typed, candidates).join(" or ") {
-        names if names.is_empty() => String::new(),
-        names => format!("; did you mean {names}?"),
-    }
+    meant(typed, candidates).map_or_else(String::new, |question| format!("; {question}"))
+}
+
+fn meant<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Option<String> {
+    let names = nearest(typed, candidates).join(" or ");
+    (!names.is_empty()).then(|| format!("did you mean {names}?"))
 }
 
 /// The complaint about a name that is none of those allowed.
@@ -177,28 +171,13 @@ pub fn unknown_name<'a>(
     names: impl Iterator<Item = &'a str>,
     allowed: String,
 ) -> Problem {
-    let meant = match nearest(typed, names).join(" or ") {
-        names if names.is_empty() => String::new(),
-        names => format!(" (did you mean {names}?)"),
-    };
-    Problem::refused(field, typed, &format!("is not known here{meant}"), allowed)
+    let near = meant(typed, names).map_or_else(String::new, |question| format!(" ({question})"));
+    Problem::refused(field, typed, &format!("is not known here{near}"), allowed)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_problem_reads_as_one_line_that_an_editor_can_follow() {
-        let problem =
-            Problem::refused("impact.force_n", "-5", "is out of range", "0 to 9 N".into())
-                .of("presets/x.ron")
-                .at((4, 27));
-        assert_eq!(
-            problem.to_string(),
-            "presets/x.ron:4:27: impact.force_n: -5 is out of range: allowed 0 to 9 N"
-        );
-    }
 
     #[test]
     fn the_nearest_names_come_first() {

@@ -1,10 +1,8 @@
-//! An object that flies at the eye.
-//!
-//! It is a ball or a flat cylinder, whose own surface may give way, and flies at the Physiological
-//! model.
+//! An object that flies at the eye of the Physiological model.
 
-use crate::scenario::is_default;
+use crate::scenario::{direction::HOURS, is_default};
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// An object at a greater angle, in degrees, would fly along the face.
 pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
@@ -23,13 +21,13 @@ pub struct Projectile {
     #[serde(default)]
     pub angle_deg: f64,
     /// The hour that it comes from.
-    #[serde(default = "Projectile::from_above", skip_serializing_if = "Projectile::is_from_above")]
+    #[serde(default = "usual::<12>", skip_serializing_if = "is_usual::<12>")]
     pub angle_clock: f64,
     /// How far beside the middle of the cornea it aims, in mm.
     #[serde(default, skip_serializing_if = "is_default")]
     pub offset_mm: f64,
     /// The hour towards which that is.
-    #[serde(default = "Projectile::from_above", skip_serializing_if = "Projectile::is_from_above")]
+    #[serde(default = "usual::<12>", skip_serializing_if = "is_usual::<12>")]
     pub offset_clock: f64,
     /// How it gives way as a whole.
     #[serde(default)]
@@ -40,12 +38,10 @@ pub struct Projectile {
     /// How its surface gives way.
     #[serde(default, skip_serializing_if = "is_default")]
     pub surface: Surface,
-    /// Share of its speed that it keeps when its surface and its spring throw it back from a rigid
-    /// wall.
-    #[serde(default = "Projectile::lossless", skip_serializing_if = "Projectile::is_lossless")]
+    /// Share of its speed that it keeps off a rigid wall, thrown back by its surface and spring.
+    #[serde(default = "usual::<1>", skip_serializing_if = "is_usual::<1>")]
     pub restitution: f64,
-    /// Names of the fields above whose figures come from no source that was checked, as in
-    /// `["speed_m_s"]`. Shown with the results; nothing is computed from it.
+    /// Names of the fields above whose figures come from no source that was checked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unverified: Vec<String>,
 }
@@ -78,24 +74,16 @@ impl Projectile {
     pub fn energy_j(&self) -> f64 {
         0.5e-3 * self.mass_g * self.speed_m_s * self.speed_m_s
     }
+}
 
-    fn from_above() -> f64 {
-        crate::scenario::direction::HOURS
-    }
+/// A number that files leave out where it is the usual one.
+fn usual<const N: u8>() -> f64 {
+    f64::from(N)
+}
 
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
-    fn is_from_above(hour: &f64) -> bool {
-        *hour == Self::from_above()
-    }
-
-    fn lossless() -> f64 {
-        1.0
-    }
-
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
-    fn is_lossless(restitution: &f64) -> bool {
-        *restitution == Self::lossless()
-    }
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+fn is_usual<const N: u8>(number: &f64) -> bool {
+    *number == usual::<N>()
 }
 
 /// A 6.35 mm steel ball at 20 m/s.
@@ -106,20 +94,20 @@ impl Default for Projectile {
             diameter_mm: 6.35,
             speed_m_s: 20.0,
             angle_deg: 0.0,
-            angle_clock: Self::from_above(),
+            angle_clock: HOURS,
             offset_mm: 0.0,
-            offset_clock: Self::from_above(),
+            offset_clock: HOURS,
             stiffness: ProjectileStiffness::default(),
             outline: Outline::default(),
             surface: Surface::default(),
-            restitution: Self::lossless(),
+            restitution: 1.0,
             unverified: Vec::new(),
         }
     }
 }
 
 /// How an object gives way.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum ProjectileStiffness {
     /// It does not give way.
@@ -138,7 +126,7 @@ impl ProjectileStiffness {
 }
 
 /// Shape of an object, with its axis along its path.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Outline {
     /// A ball.
@@ -158,7 +146,7 @@ impl Outline {
 
 /// How the surface of an object gives way: an elastic foundation that stiffens as it is used up.
 /// Its stiffness is the modulus over the radius.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, IntoStaticStr)]
 #[serde(deny_unknown_fields)]
 pub enum Surface {
     /// It hardly gives way.
@@ -169,16 +157,15 @@ pub enum Surface {
         /// Its modulus.
         modulus_mpa: f64,
     },
-    /// A wall around gas, or foam or cork that crushes: until it is used up it presses no harder
-    /// than its cap and what stops it, half its density times the square of its speed.
+    /// A wall around gas, or foam that crushes: until it is used up it presses no harder than its
+    /// cap and what stops it, half its density times the square of its speed.
     Inflated {
         /// The cap: the gas pressure with what the wall adds, or the stress of collapse.
         kpa: f64,
         /// Modulus at small dents.
         modulus_mpa: f64,
     },
-    /// Liquid in a skin that bursts, or a gel that flows: an `Inflated` one whose own cap is
-    /// nothing.
+    /// Liquid in a skin that bursts, or a gel that flows: `Inflated` without a cap of its own.
     Splashing,
 }
 

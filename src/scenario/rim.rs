@@ -71,9 +71,9 @@ impl Rim {
     pub const SPREAD: Self =
         Self { depth_mm: around(4.2, 3.0, 3.7, 2.6), gap_mm: around(2.1, 1.8, 2.2, 2.3) };
 
-    /// Whether it is one of the measured ones.
-    pub fn is_measured(&self) -> bool {
-        Self::NAMED.iter().any(|(_, rim)| rim == self)
+    /// Whose it is, or `Own` of lengths of one's own.
+    pub fn name(&self) -> &'static str {
+        Self::NAMED.iter().find(|(_, rim)| rim == self).map_or("Own", |(name, _)| name)
     }
 }
 
@@ -92,11 +92,9 @@ mod tests {
     #[test]
     fn a_file_says_whose_rim_it_is_or_gives_its_lengths() {
         let file = |rim: &str| {
-            let text = format!(
-                "(name: \"x\", model: Physiological(rim: {rim}), impact: Projectile(mass_g: 1, \
-                 diameter_mm: 6, speed_m_s: 9))"
-            );
-            parse(&text, "x.ron")
+            let object = "Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 9)";
+            let model = format!("Physiological(rim: {rim})");
+            parse(&format!("(name: \"x\", model: {model}, impact: {object})"), "x.ron")
         };
         let rim = |scenario: Scenario| scenario.physiological().unwrap().rim;
         let asian = file("EastAsian").unwrap();

@@ -2,9 +2,10 @@
 //!
 //! The reader's own error knows where its cursor stood but not which field it was filling;
 //! `serde_path_to_error` knows the field. Both go into one [`Problem`].
-//!
-//! Left out: whether the values make sense (see `check`).
 
+use crate::plain_text::quoted;
+use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
+use crate::scenario::{Scenario, fields, fields::Kind, locate::locate};
 use ron::Options;
 use ron::de::Deserializer;
 use ron::error::{Error, SpannedError};
@@ -13,26 +14,18 @@ use ron::ser::PrettyConfig;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment, Track};
 
-use crate::plain_text::quoted;
-use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
-use crate::scenario::{Scenario, fields};
-use crate::scenario::{fields::Kind, locate::locate};
-
 /// Lets a file say `step_us: 1.5` and `ForcePulse(force_n: 1)` without wrappers.
-fn options() -> Options {
+pub(super) fn options() -> Options {
     Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME)
         .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)
 }
 
-/// Models whose parts all have defaults, and which may stand without brackets.
-const BARE: [&str; 1] = ["Physiological"];
-
-/// `model: Physiological` with the brackets that the reader wants.
+/// `model: Physiological`, whose parts all have defaults, with the brackets that the reader wants.
 fn completed(text: &str) -> Option<String> {
     let (line, column) = locate(text, "model");
     let value = rest_of_line(text, (line, column));
-    let rest = BARE.iter().find_map(|name| value.strip_prefix(name))?;
+    let rest = value.strip_prefix("Physiological")?;
     let start = text.split_inclusive('\n').take(line - 1).map(str::len);
     let within: usize = rest_of_line(text, (line, 1)).len() - rest.len();
     let end = start.sum::<usize>() + within;
@@ -110,13 +103,9 @@ fn explain(
         Error::NoSuchStructField { expected, found, .. } => {
             let near = suggestion(found, expected.iter().copied());
             let allowed = expected.join(", ");
-            Problem {
-                value: Some(quoted(found)),
-                message: format!("there is no such field{near} (allowed: {allowed})"),
-                allowed: Some(allowed),
-                ..Problem::new(joined(path, found), "")
-            }
-            .at(before)
+            let message = format!("there is no such field{near} (allowed: {allowed})");
+            let problem = Problem::new(joined(path, found), message);
+            Problem { value: Some(quoted(found)), allowed: Some(allowed), ..problem }.at(before)
         }
         Error::NoSuchEnumVariant { expected, found, .. } => {
             let names = expected.iter().copied();
@@ -140,11 +129,7 @@ fn explain(
             };
             match expected(path).filter(|_| about_the_value(code, start == cursor)) {
                 Some((complaint, allowed)) => match word_at(text, start) {
-                    "" => Problem {
-                        message: format!("a value is missing: allowed {allowed}"),
-                        allowed: Some(allowed),
-                        ..Problem::new(path, "")
-                    },
+                    "" => Problem::lacking(path, "a value is missing", allowed),
                     word => Problem::refused(path, word, complaint, allowed),
                 }
                 .at(start),

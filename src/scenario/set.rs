@@ -1,13 +1,5 @@
-//! Setting one field of a scenario from text that a person typed.
-//!
-//! Every field of the registry can be reached, and so can the groups that hold several fields,
-//! which are written as in a file. What is typed here is read a little more kindly than a file:
-//! names in any case, with or without dashes, and text without quotes.
-
-use std::collections::BTreeMap;
-
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
+//! Setting one field of a scenario, or a group of fields, from text that a person typed. It is read
+//! more kindly than a file: names in any case, with or without dashes, and text without quotes.
 
 use crate::scenario::check::{check_inside, near_zero_is_zero};
 use crate::scenario::curve_file::{PathBase, with_files};
@@ -15,18 +7,20 @@ use crate::scenario::fields::{Choices, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::scenario::ron_text::{not_a, read};
 use crate::scenario::{PulseShape, Scenario, doubt, fields, naming};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
 
-/// What replaces a part of the scenario as a whole by text in the syntax of a file.
-type Replace = fn(&mut Scenario, Typed) -> Result<(), ScenarioError>;
+/// What replaces a part of the scenario by the text typed for its path, in the syntax of a file.
+type Replace = fn(&mut Scenario, path: &str, text: &str) -> Result<(), ScenarioError>;
 
-/// The groups of fields with their paths; fields that the text leaves out take their defaults, as
-/// in a file.
+/// The groups of fields with their paths; fields that the text leaves out take their defaults.
 static GROUPS: &[(&str, Replace)] = &[
-    ("model", |s, typed| typed.put(Some(&mut s.model))),
-    ("impact", |s, typed| typed.put(Some(&mut s.impact))),
-    ("impact.shape", |s, typed| {
+    ("model", |s, path, text| put(Some(&mut s.model), path, text)),
+    ("impact", |s, path, text| put(Some(&mut s.impact), path, text)),
+    ("impact.shape", |s, path, text| {
         let mut shape = PulseShape::default();
-        typed.put(Some(&mut shape))?;
+        put(Some(&mut shape), path, text)?;
         match (s.pulse_mut(), shape) {
             // What was recorded keeps its times; a duration that is set later stretches it.
             (Some(pulse), PulseShape::Table(curve)) => pulse.follow(curve),
@@ -35,34 +29,34 @@ static GROUPS: &[(&str, Replace)] = &[
         }
         Ok(())
     }),
-    ("impact.stiffness", |s, typed| {
-        typed.put(s.projectile_mut().map(|object| &mut object.stiffness))
+    ("impact.stiffness", |s, path, text| {
+        put(s.projectile_mut().map(|object| &mut object.stiffness), path, text)
     }),
-    ("impact.outline", |s, typed| typed.put(s.projectile_mut().map(|object| &mut object.outline))),
-    ("impact.surface", |s, typed| typed.put(s.projectile_mut().map(|object| &mut object.surface))),
-    ("eye", |s, typed| typed.put(Some(&mut s.eye))),
-    ("numerics", |s, typed| typed.put(Some(&mut s.numerics))),
-    ("doubt", |s, typed| {
+    ("impact.outline", |s, path, text| {
+        put(s.projectile_mut().map(|object| &mut object.outline), path, text)
+    }),
+    ("impact.surface", |s, path, text| {
+        put(s.projectile_mut().map(|object| &mut object.surface), path, text)
+    }),
+    ("eye", |s, path, text| put(Some(&mut s.eye), path, text)),
+    ("numerics", |s, path, text| put(Some(&mut s.numerics), path, text)),
+    ("doubt", |s, path, text| {
         let mut doubts = Doubts::default();
-        typed.put(Some(&mut doubts))?;
+        put(Some(&mut doubts), path, text)?;
         s.doubt = doubts.0;
         Ok(())
     }),
 ];
 
-/// What a person typed for a path.
-struct Typed<'a> {
-    path: &'a str,
-    text: &'a str,
-}
-
-impl Typed<'_> {
-    fn put<T: DeserializeOwned>(&self, place: Option<&mut T>) -> Result<(), ScenarioError> {
-        if let Some(value) = place {
-            *value = with_files(&PathBase::Typed, || read(self.text, self.path))?;
-        }
-        Ok(())
+fn put<T: DeserializeOwned>(
+    place: Option<&mut T>,
+    path: &str,
+    text: &str,
+) -> Result<(), ScenarioError> {
+    if let Some(value) = place {
+        *value = with_files(&PathBase::Typed, || read(text, path))?;
     }
+    Ok(())
 }
 
 /// The group at a path.
@@ -121,12 +115,9 @@ fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
 }
 
 /// Sets the field or group at a dotted path, as in `impact.force_n`, `450`; the path may be
-/// [shortened](full_path). On an error the scenario is left as it was. The file of a curve is
-/// looked for from the working directory. Rules that join two fields are not applied: see
-/// [`Scenario::check`].
-///
-/// A number may carry its doubt, as in `450 ± 20` or `450 +- 20`, and the unit of its field;
-/// without a doubt it drops an older one: what is written is what holds.
+/// [shortened](full_path). On an error the scenario is left as it was. Rules that join two fields
+/// are not applied: see [`Scenario::check`]. A number may carry its unit and its doubt, as in
+/// `450 ± 20` or `450 +- 20`; without a doubt it drops an older one.
 ///
 /// # Errors
 /// Says what is wrong with the path, or with the value and what would be accepted.
@@ -140,7 +131,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
             return Err(absent(field, scenario).into());
         }
         (_, Some(replace)) if field.is_none() || !is_name(text) => {
-            replace(&mut changed, Typed { path, text })?;
+            replace(&mut changed, path, text)?;
         }
         (Some(field), _) if matches!(field.kind, Kind::Number(..)) => {
             let (value, doubted) = doubt::split(without_unit(field, text));
@@ -150,7 +141,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
         (Some(field), _) => set_field(&mut changed, field, text)?,
         (None, _) => return Err(unknown(scenario, path).into()),
     }
-    doubt::tidy(&mut changed, path);
+    forget_doubts(&mut changed, scenario);
     check_inside(&changed, path)?;
     near_zero_is_zero(&mut changed);
     changed.impact.by_the_clock();
@@ -182,17 +173,14 @@ pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     confirm(scenario, field.path);
 }
 
-/// Paths of the fields that a scenario has.
-fn present(scenario: &Scenario) -> impl Iterator<Item = &'static str> {
-    let has = |field: &&Field| field.text(scenario).is_some();
-    FIELDS.iter().filter(has).map(|field| field.path)
-}
-
-/// Drops the doubts of fields that a scenario `had` and has no longer.
-fn forget_doubts(scenario: &mut Scenario, had: &[&str]) {
-    let now: Vec<&str> = present(scenario).collect();
-    let gone = |path: &str| had.contains(&path) && !now.contains(&path);
-    scenario.doubt.retain(|path, _| !gone(path));
+/// Drops the doubts of fields that the scenario had `before` and has no longer.
+fn forget_doubts(scenario: &mut Scenario, before: &Scenario) {
+    let mut doubt = std::mem::take(&mut scenario.doubt);
+    doubt.retain(|path, _| {
+        let has = |scenario| fields::find(path).is_some_and(|field| field.text(scenario).is_some());
+        has(scenario) || !has(before)
+    });
+    scenario.doubt = doubt;
 }
 
 fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), ScenarioError> {
@@ -206,11 +194,7 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
         Kind::Integers(_, _, _, place) => store((place.get_mut)(scenario), list(text)),
         Kind::Text(_, place) => store((place.get_mut)(scenario), words(text, field.path)?),
         Kind::Choice(choices) => {
-            let had: Vec<&str> = present(scenario).collect();
-            let done =
-                named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name));
-            forget_doubts(scenario, &had);
-            done
+            named(*choices, scenario, text).is_some_and(|name| choices.set(scenario, name))
         }
     };
     if done {
@@ -218,37 +202,28 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     }
     if text.is_empty() {
         let allowed = field.allowed_in(scenario);
-        let problem = Problem {
-            allowed: Some(allowed.clone()),
-            ..Problem::new(field.path, format!("nothing is there: allowed {allowed}"))
-        };
-        return Err(problem.into());
+        return Err(Problem::lacking(field.path, "nothing is there", allowed).into());
     }
-    if let Kind::Choice(choices) = &field.kind {
-        if let Some(why) = choices.unclear(text) {
-            let allowed = field.allowed_in(scenario);
-            return Err(Problem::refused(field.path, text, why, allowed).into());
+    let allowed = field.allowed_in(scenario);
+    let complaint = match &field.kind {
+        Kind::Choice(choices) => {
+            let Some(why) = choices.unclear(text) else {
+                let names = choices.names().into_iter();
+                return Err(unknown_name(field.path, text, names, allowed).into());
+            };
+            why
         }
-        let names = choices.names().into_iter();
-        return Err(unknown_name(field.path, text, names, field.allowed_in(scenario)).into());
-    }
-    let is_number = matches!(field.kind, Kind::Number(..) | Kind::OptionalNumber(..));
-    let complaint = if is_number && text.contains(',') {
-        "is not a number (decimals follow a point, not a comma)"
-    } else {
-        not_a(&field.kind)
+        Kind::Number(..) | Kind::OptionalNumber(..) if text.contains(',') => {
+            "is not a number (decimals follow a point, not a comma)"
+        }
+        kind => not_a(kind),
     };
-    Err(Problem::refused(field.path, text, complaint, field.allowed_in(scenario)).into())
+    Err(Problem::refused(field.path, text, complaint, allowed).into())
 }
 
 fn store<T>(place: Option<&mut T>, value: Option<T>) -> bool {
-    match (place, value) {
-        (Some(place), Some(value)) => {
-            *place = value;
-            true
-        }
-        _ => false,
-    }
+    let both = place.zip(value);
+    both.map(|(place, value)| *place = value).is_some()
 }
 
 /// What stands before a field's own unit, where it follows a number: 30 of `30 m/s`.
@@ -335,11 +310,8 @@ fn unknown(scenario: &Scenario, path: &str) -> Problem {
         return Problem::new(path, message);
     }
     let groups = GROUPS.iter().map(|(path, _)| *path);
-    let paths = FIELDS
-        .iter()
-        .map(|field| field.path)
-        .chain(groups.filter(|path| fields::find(path).is_none()));
-    let near = suggestion(path, paths);
+    let groups = groups.filter(|path| fields::find(path).is_none());
+    let near = suggestion(path, FIELDS.iter().map(|field| field.path).chain(groups));
     Problem::new(path, format!("there is no such field{near}"))
 }
 

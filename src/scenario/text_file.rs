@@ -1,26 +1,16 @@
-//! Reading a small text file that may come from anywhere.
-//!
-//! It is read only if it is a regular file, and no further than a limit, so that neither a device
-//! nor a pipe can hang the program or fill the memory.
+//! Reading a small text file from anywhere: no device or pipe can hang the program or fill memory.
 
+use crate::files;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-use crate::files;
-
-/// The greatest size of a file, in bytes. A force curve of the most knots fits, and little else
-/// comes near it.
+/// The greatest size of a file, in bytes: a force curve of the most knots fits.
 pub const LIMIT: u64 = 256 * 1024;
 
-/// The text of a file.
-///
-/// # Errors
-/// Says why the file cannot be read: missing, too large, no regular file, not UTF-8.
+/// The text of a file, or why it cannot be read: missing, too large, not regular, not UTF-8.
 pub(super) fn read(path: &Path) -> Result<String, String> {
-    if files::are_shut() {
-        return Err(files::REFUSAL.to_owned());
-    }
+    files::allowed()?;
     // Opening a pipe would wait for somebody to write to it, so its kind is asked for first.
     let kind = fs::metadata(path).map_err(reason)?;
     if kind.is_dir() {

@@ -22,13 +22,7 @@ pub struct Changing {
 impl Changing {
     /// Begins with how hard the blow is; none where nothing can be changed.
     pub fn of(name: &str, scenario: &Scenario) -> Option<Self> {
-        let all = rows(scenario, true).into_iter();
-        let fields: Vec<_> = all
-            .filter_map(|row| match row {
-                FormRow::Field(field) => Some(field),
-                _ => None,
-            })
-            .collect();
+        let fields: Vec<_> = rows(scenario, true).into_iter().filter_map(FormRow::field).collect();
         let first = strength(scenario);
         let at = fields.iter().position(|field| FormRow::Field(field) == first);
         let mut changing = Self {
@@ -58,16 +52,12 @@ impl Changing {
     }
 
     /// The scenario with what is typed.
-    ///
-    /// # Errors
-    /// Says why it may not be so.
     pub fn changed(&self) -> Result<Scenario, String> {
         with_text(&self.scenario, self.field(), self.input.value())
     }
 }
 
-/// Whether what is compared under a name began as that preset: `bb-62@60` is the BB at another
-/// speed.
+/// Whether what is compared under a name, such as `bb-62@60`, began as that preset.
 pub fn began_as(name: &str, preset: &str) -> bool {
     let rest = name.strip_prefix(preset);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['@', ',']))

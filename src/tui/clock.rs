@@ -64,14 +64,6 @@ impl Default for Clock {
 }
 
 impl Clock {
-    /// The time shown of an answer, in s.
-    pub fn time(&self, answer: &Answer) -> f64 {
-        match self.moment {
-            Moment::Deepest => answer.peak(Quantity::Apex).map_or(0.0, |apex| apex.time),
-            Moment::At(time) => time.min(answer.window()),
-        }
-    }
-
     /// Speed in ms of impact a second.
     pub fn speed(&self) -> f64 {
         SPEEDS[self.speed]
@@ -84,11 +76,10 @@ impl Clock {
 
     /// The time shown of an answer whose time ends then, in s; the beginning where there is none.
     pub fn time_in(&self, timed: Option<(&Answer, f64)>) -> f64 {
-        match (timed, self.moment) {
-            (None, _) => 0.0,
-            (Some((_, window)), Moment::At(time)) => time.min(window),
-            (Some((answer, _)), Moment::Deepest) => self.time(answer),
-        }
+        timed.map_or(0.0, |(answer, window)| match self.moment {
+            Moment::Deepest => answer.peak(Quantity::Apex).map_or(0.0, |apex| apex.time),
+            Moment::At(time) => time.min(window),
+        })
     }
 
     /// Moves on by so many seconds of the person's time. At the end it starts again.
@@ -99,8 +90,7 @@ impl Clock {
         }
     }
 
-    /// Moves by one frame, or by ten.
-    /// Where there are no frames, the last interval goes on to the end of the window.
+    /// Moves by one frame, or by ten. The last interval goes on to the end of the window.
     pub fn step(&mut self, step: Step, from: f64, frames: &[Frame], window: f64) {
         let [.., before, last] = frames else {
             return;
@@ -120,11 +110,8 @@ impl Clock {
 
     /// Faster or slower.
     pub fn change_speed(&mut self, faster: bool) {
-        self.speed = if faster {
-            (self.speed + 1).min(SPEEDS.len() - 1)
-        } else {
-            self.speed.saturating_sub(1)
-        };
+        let by = if faster { 1 } else { -1 };
+        self.speed = self.speed.saturating_add_signed(by).min(SPEEDS.len() - 1);
     }
 
     /// The next exaggeration.
@@ -158,10 +145,9 @@ impl Clock {
         }
     }
 
-    /// Jumps to the next peak after the time shown, or to the one before, of the results that are
-    /// on show; goes round.
+    /// Jumps to the next peak of what is on show, or to the one before; goes round.
     pub fn jump(&mut self, answer: &Answer, forward: bool, on_show: impl Fn(Quantity) -> bool) {
-        let now = self.time(answer);
+        let now = self.time_in(Some((answer, answer.window())));
         let mut peaks = peaks(answer);
         // Where nothing on show has a peak, all are visited.
         if peaks.iter().any(|peak| on_show(peak.of)) {
@@ -270,7 +256,7 @@ mod tests {
         let frames = &answer.run.frames;
         clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);
         assert!(!clock.playing);
-        let time = |clock: &Clock| clock.time(&answer);
+        let time = |clock: &Clock| clock.time_in(Some((&answer, answer.window())));
         assert!((time(&clock) - 1e-4).abs() < 1e-12);
         clock.step(Step::MUCH_MORE, 1e-4, frames, 3e-3);
         assert!((time(&clock) - 9.2e-4).abs() < 1e-12, "two early, eight late");

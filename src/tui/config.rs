@@ -1,8 +1,7 @@
 //! What a person wants of the app at every start: `contrecoup/config.ron` under `$XDG_CONFIG_HOME`
 //! (or `~/.config`). A flag counts for more than the file.
 //!
-//! An empty file sets nothing, so that `contrecoup config` may be sent into the file that it
-//! reads.
+//! An empty file sets nothing, so that `contrecoup config` may be sent into the file it reads.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -14,12 +13,11 @@ use crate::scenario::load::read_text;
 use crate::scenario::locate::{is_blank, locate};
 use crate::scenario::problem::{Problem, ScenarioError};
 use crate::scenario::{library, ron_text};
+use crate::tui::app::{chosen_keys::named, tables::clash};
 use crate::tui::terminal::caps::{ColorFlag, Symbols};
 use crate::tui::view::palette::{Colour, Colours, DARK, FEW, Ground, LIGHT, ROLES};
 use crate::tui::view::{heat::HeatMap, text::wrapped};
-use crate::tui::{
-    app::chosen_keys::named, app::tables::clash, keys::chosen::Keys, screens::SCREENS,
-};
+use crate::tui::{keys::chosen::Keys, screens::SCREENS};
 
 /// What a person wants of the app.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,7 +30,7 @@ pub struct Config {
     #[serde(with = "word")]
     pub ground: Ground,
     /// Which symbols; `None` by the terminal.
-    #[serde(with = "word_or_auto")]
+    #[serde(serialize_with = "word::or_auto", deserialize_with = "word::read_or_auto")]
     pub symbols: Option<Symbols>,
     /// Which colours stand for heat.
     #[serde(with = "word")]
@@ -119,9 +117,8 @@ impl Config {
         let is_known = self.start == LAST || self.first_screen().is_some();
         let start = (!is_known)
             .then(|| refused("start", &format!("{:?}", self.start), "is not known here"));
-        let clash = clash(&self.keys).map(|clash| {
-            let (key, other) = (clash.press.name(), clash.other);
-            let field = format!("keys.{}", clash.name.to_lowercase());
+        let clash = clash(&self.keys).map(|(name, key, other)| {
+            let (key, field) = (key.name(), format!("keys.{}", name.to_lowercase()));
             let choose = "choose another key, or another one for that";
             Problem::new(field, format!("{key:?} is taken by {other}: {choose}"))
         });
@@ -164,10 +161,8 @@ impl Config {
 
 /// Names and values, which JSON and RON write alike.
 fn fields(of: &impl Serialize) -> Map<String, Value> {
-    match serde_json::to_value(of) {
-        Ok(Value::Object(fields)) => fields,
-        _ => Map::new(),
-    }
+    let value = serde_json::to_value(of).ok();
+    value.and_then(|value| value.as_object().cloned()).unwrap_or_default()
 }
 
 /// A value as it is written in one line.
@@ -181,33 +176,20 @@ fn spaced(value: &Value) -> String {
 
 /// What a setting does, and what it may be.
 fn about(name: &str) -> String {
-    let (_, allowed) = expected(name).unwrap_or_default();
-    let about = match name {
-        "color" => "How many colours",
-        "ground" => {
-            "Whether your terminal is dark or light, for 256 colours; auto: by COLORFGBG, else dark"
-        }
-        "symbols" => "How the mesh and the curves are drawn; auto: by the terminal",
-        "heat" => "Which colours stand for force and pressure, of 256",
-        "fps" => "Most frames a second of a replay",
-        "mouse" => "Whether the mouse is listened to",
-        "idle" => "Whether mesh errors and bands are computed while you do nothing",
-        "start" => {
-            "The screen that is shown first; last: where you left off, with what you worked on"
-        }
-        "colours" => {
-            return format!(
-                "Colours by role: {}. Those of the 16 by name count where a terminal has no more. Behind each \
-                 stands what auto is: of the 256 on a dark and on a light ground, and of the 16",
-                Colour::allowed()
-            );
+    match name {
+        "colours" => format!(
+            "Colours by role: {}. Those of the 16 by name count where a terminal has no more. Behind each \
+             stands what auto is: of the 256 on a dark and on a light ground, and of the 16",
+            Colour::allowed()
+        ),
+        "keys" => {
+            "Keys that count on every screen: one, or a list. Those of single panes stay".into()
         }
         _ => {
-            return "Keys that count on every screen: one, or a list. Those of single panes stay"
-                .to_owned();
+            let (about, _, allowed) = setting(name).unwrap_or_default();
+            format!("{about}: {allowed}")
         }
-    };
-    format!("{about}: {allowed}")
+    }
 }
 
 /// What has a colour and what it is without a wish, or what a key does.
@@ -220,34 +202,59 @@ fn about_entry(list: &str, name: &str) -> String {
     named(name).map_or(String::new(), |key| key.help.to_owned())
 }
 
-/// What is wrong with a value of the wrong kind, and what the setting may be.
-fn expected(path: &str) -> Option<(&'static str, String)> {
+/// What a setting does, what is wrong with a value of the wrong kind, and what it may be.
+fn setting(path: &str) -> Option<(&'static str, &'static str, String)> {
     let known = "is not known here";
     Some(match path {
-        "color" => (known, word::all::<ColorFlag>()),
-        "ground" => (known, word::all::<Ground>()),
-        "symbols" => (known, format!("\"auto\", {}", word::all::<Symbols>())),
-        "heat" => (known, word::all::<HeatMap>()),
-        "fps" => ("is not a whole number in range", "whole numbers 1 to 60".to_owned()),
-        "mouse" | "idle" => ("is neither true nor false", "true or false".to_owned()),
+        "color" => ("How many colours", known, word::all::<ColorFlag>()),
+        "ground" => {
+            let about = "Whether your terminal is dark or light, for 256 colours; auto: by COLORFGBG, \
+                         else dark";
+            (about, known, word::all::<Ground>())
+        }
+        "symbols" => {
+            let about = "How the mesh and the curves are drawn; auto: by the terminal";
+            (about, known, format!("\"auto\", {}", word::all::<Symbols>()))
+        }
+        "heat" => {
+            let about = "Which colours stand for force and pressure, of 256";
+            (about, known, word::all::<HeatMap>())
+        }
+        "fps" => {
+            let wrong = "is not a whole number in range";
+            ("Most frames a second of a replay", wrong, "whole numbers 1 to 60".to_owned())
+        }
+        "mouse" | "idle" => {
+            let about = match path {
+                "mouse" => "Whether the mouse is listened to",
+                _ => "Whether mesh errors and bands are computed while you do nothing",
+            };
+            (about, "is neither true nor false", "true or false".to_owned())
+        }
         "start" => {
+            let about = "The screen that is shown first; last: where you left off, with what you \
+                         worked on";
             let all = std::iter::once(LAST.to_owned()).chain(titles());
             let quoted: Vec<String> = all.map(|title| format!("{title:?}")).collect();
-            (known, quoted.join(", "))
+            (about, known, quoted.join(", "))
         }
-        path if path.starts_with("colours.") => ("is no such colour", Colour::allowed()),
+        path if path.starts_with("colours.") => ("", "is no such colour", Colour::allowed()),
         path if path.starts_with("keys.") => {
-            ("is no key in quotes", "a key or a list of keys, as in \"Ctrl-X\"".to_owned())
+            ("", "is no key in quotes", "a key or a list of keys, as in \"Ctrl-X\"".to_owned())
         }
         _ => return None,
     })
+}
+
+fn expected(path: &str) -> Option<(&'static str, String)> {
+    setting(path).map(|(_, wrong, allowed)| (wrong, allowed))
 }
 
 fn titles() -> impl Iterator<Item = String> {
     SCREENS.iter().map(|screen| screen.title.to_lowercase())
 }
 
-/// A choice by the word that a flag has for it.
+/// A choice by the word that a flag has for it, or none by the word `auto`.
 mod word {
     use clap::ValueEnum;
     use serde::de::{Error, Unexpected};
@@ -277,29 +284,18 @@ mod word {
     pub fn deserialize<'de, T: ValueEnum, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
         read(&String::deserialize(from)?)
     }
-}
-
-/// A choice by the word that a flag has for it, or `None` by the word `auto`.
-mod word_or_auto {
-    use clap::ValueEnum;
-    use serde::{Deserialize, Deserializer, Serializer};
 
     #[expect(clippy::ref_option, reason = "serde calls it so")]
-    pub fn serialize<T: ValueEnum, S: Serializer>(
-        value: &Option<T>,
-        to: S,
-    ) -> Result<S::Ok, S::Error> {
-        let word = value.as_ref().map(super::word::name);
+    pub fn or_auto<T: ValueEnum, S: Serializer>(of: &Option<T>, to: S) -> Result<S::Ok, S::Error> {
+        let word = of.as_ref().map(name);
         to.serialize_str(word.as_deref().unwrap_or("auto"))
     }
 
-    pub fn deserialize<'de, T: ValueEnum, D: Deserializer<'de>>(
+    pub fn read_or_auto<'de, T: ValueEnum, D: Deserializer<'de>>(
         from: D,
     ) -> Result<Option<T>, D::Error> {
-        match String::deserialize(from)?.as_str() {
-            "auto" => Ok(None),
-            word => super::word::read(word).map(Some),
-        }
+        let word = String::deserialize(from)?;
+        if word == "auto" { Ok(None) } else { read(&word).map(Some) }
     }
 }
 
@@ -327,8 +323,7 @@ mod tests {
             assert_eq!(Config::read(&printed, "").unwrap(), config, "{printed}");
         }
         let config = Config::read(own, "").unwrap();
-        let read = (config.fps, config.first_screen(), config.idle);
-        assert_eq!(read, (30, Some(6), false));
+        assert_eq!((config.fps, config.first_screen(), config.idle), (30, Some(6), false));
         assert!(config.to_ron().contains("1 to 60; usually 12."));
     }
 
@@ -345,9 +340,8 @@ mod tests {
             ("mouse: 1", 9, "neither true nor false: allowed true or false"),
             ("start: \"nowhere\"", 9, screens),
         ] {
-            let text = format!("(\n {written},\n)");
             let told = format!("config.ron:2:{at}: {written} is {told}");
-            assert_eq!(complaint(&text), told);
+            assert_eq!(complaint(&format!("(\n {written},\n)")), told);
         }
         let complaint = complaint("(start: \"nowhere\", fps: 0)");
         assert_eq!(complaint.lines().count(), 2, "{complaint}");
@@ -357,24 +351,19 @@ mod tests {
     fn colours_are_chosen_by_the_name_of_their_role() {
         let config = Config::read("(colours: (heading: 21, fat: \"bright red\"))", "").unwrap();
         let own = config.colours;
-        let places = [own.heading.0, own.fat.0, own.bar.0];
-        assert_eq!(places, [Some(21), Some(9), None]);
+        assert_eq!([own.heading.0, own.fat.0, own.bar.0], [Some(21), Some(9), None]);
         let printed = config.to_ron();
-        assert!(printed.contains("heading: 21,"), "{printed}");
-        assert!(printed.contains("fat: \"bright red\","), "{printed}");
-        assert!(printed.contains("bar: \"auto\","), "{printed}");
+        for line in ["heading: 21,", "fat: \"bright red\",", "bar: \"auto\","] {
+            assert!(printed.contains(line), "{printed}");
+        }
         let allowed = "allowed \"auto\", whole numbers 0 to 255, or one of \"black\", \"red\", ";
         for (written, at) in [("heading: 256", 12), ("fat: \"mauve\"", 8), ("bar: true", 8)] {
             let told = complaint(&format!("(\n colours: (\n  {written},\n ),\n)"));
-            let begins =
-                format!("config.ron:3:{at}: colours.{written} is no such colour: {allowed}");
-            assert!(told.starts_with(&begins), "{told}");
+            let why = format!("colours.{written} is no such colour: {allowed}");
+            assert!(told.starts_with(&format!("config.ron:3:{at}: {why}")), "{told}");
         }
         let told = complaint("(colours: (hedding: 1))");
-        assert!(
-            told.contains("colours.hedding: there is no such field; did you mean heading?"),
-            "{told}"
-        );
+        assert!(told.contains("colours.hedding: there is no such field; did you mean heading?"));
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! Many samples over the doubt in the inputs: a few beside the score when nothing else is wanted,
-//! many where they are asked for. What is there so far is shown, and what was stopped goes on from
-//! there.
+//! many where they are asked for. What was stopped goes on from there.
 
 use std::sync::Arc;
 
@@ -10,7 +9,7 @@ use crate::many::bands::Band;
 use crate::many::ensemble::{Ensemble, run};
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
-use crate::tui::{idle, request::TaskQuestion, task::Task, worker::run_watched};
+use crate::tui::{request::TaskQuestion, task::Task, worker::idle_pool, worker::run_watched};
 
 /// Samples behind the band on the main screen, computed while nothing else is wanted.
 pub const FEW: u32 = 256;
@@ -52,7 +51,7 @@ impl TaskQuestion for RunSamples {
                     progress.report(share, || so_far.clone())
                 })
             };
-            if self.is_idle() { idle::pool().install(run) } else { run() }
+            if self.is_idle() { idle_pool().install(run) } else { run() }
         })
     }
 
@@ -107,8 +106,7 @@ fn own(answer: &Answer, of: Quantity) -> Option<Band> {
     Some(Band { low: 100.0 * risk.range.0, median: 100.0 * risk.risk, high: 100.0 * risk.range.1 })
 }
 
-/// The band of a result that is shown: of a risk the wider of the samples' and the answer's own.
-/// Whether the samples' is wider than that.
+/// The band that is shown: of a risk the wider of the samples' and its own; whether the samples'.
 pub fn shown_band(
     ensemble: &Ensemble,
     answer: Option<&Answer>,
@@ -134,9 +132,6 @@ pub fn widened(ensemble: &Ensemble, answer: &Answer) -> Vec<(Injury, Band)> {
 
 /// The scenario without its name, which changes no sample.
 pub(super) fn key(scenario: &Scenario) -> Scenario {
-    Scenario {
-        // No name would be refused.
-        name: "any".to_owned(),
-        ..scenario.clone()
-    }
+    // No name would be refused.
+    Scenario { name: "any".to_owned(), ..scenario.clone() }
 }

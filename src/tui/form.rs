@@ -10,9 +10,10 @@ use crate::scenario::{doubt::number, problem::ScenarioError};
 use crate::tui::{line::TextLine, step::Step};
 
 /// A row of the form.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub enum FormRow {
-    /// The preset.
+    /// The preset: what hits the eye comes before by how much.
+    #[default]
     Preset,
     /// A field of the scenario.
     Field(&'static Field),
@@ -20,17 +21,29 @@ pub enum FormRow {
     Fold,
 }
 
-impl PartialEq for FormRow {
-    fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Field(a), Self::Field(b)) => a.path == b.path,
-            (Self::Preset, Self::Preset) | (Self::Fold, Self::Fold) => true,
-            _ => false,
+impl FormRow {
+    /// The field of a row that has one.
+    pub fn field(self) -> Option<&'static Field> {
+        if let Self::Field(field) = self { Some(field) } else { None }
+    }
+
+    fn path(self) -> &'static str {
+        match self {
+            Self::Preset => "preset",
+            Self::Field(field) => field.path,
+            Self::Fold => "fold",
         }
     }
 }
 
+impl PartialEq for FormRow {
+    fn eq(&self, other: &Self) -> bool {
+        self.path() == other.path()
+    }
+}
+
 /// What is selected and what is being typed.
+#[derive(Default)]
 pub struct ScenarioForm {
     /// The row with the cursor.
     pub selected: FormRow,
@@ -54,13 +67,6 @@ pub struct Typing {
     pub error: Option<String>,
 }
 
-impl Default for ScenarioForm {
-    /// On the preset: what hits the eye comes before by how much.
-    fn default() -> Self {
-        Self { selected: FormRow::Preset, advanced: false, typing: None, complaint: None }
-    }
-}
-
 /// Whether a field belongs to the question itself, not to the anatomy or the numerics.
 fn is_basic(field: &Field) -> bool {
     ["model", "impact", "window_ms"]
@@ -70,12 +76,9 @@ fn is_basic(field: &Field) -> bool {
 
 /// Whether a field says nothing: the hour of a blow that comes straight on, or at the centre.
 fn is_idle(field: &Field, scenario: &Scenario) -> bool {
-    let Impact::Projectile(projectile) = &scenario.impact else {
-        return false;
-    };
-    match field.path {
-        "impact.angle_clock" => projectile.angle_deg == 0.0,
-        "impact.offset_clock" => projectile.offset_mm == 0.0,
+    match (field.path, &scenario.impact) {
+        ("impact.angle_clock", Impact::Projectile(object)) => object.angle_deg == 0.0,
+        ("impact.offset_clock", Impact::Projectile(object)) => object.offset_mm == 0.0,
         _ => false,
     }
 }
@@ -114,10 +117,8 @@ impl ScenarioForm {
 
     /// Whether a digit begins a value in the row with the cursor.
     pub fn takes_numbers(&self) -> bool {
-        matches!(self.selected, FormRow::Field(field) if matches!(
-            field.kind,
-            Kind::Number(..) | Kind::OptionalNumber(..) | Kind::Integer(..) | Kind::Integers(..)
-        ))
+        let is_text = |field: &Field| matches!(field.kind, Kind::Choice(_) | Kind::Text(..));
+        self.selected.field().is_some_and(|field| !is_text(field))
     }
 
     /// Shows or hides the advanced fields; the cursor stays on a row that is there.
@@ -138,12 +139,9 @@ impl ScenarioForm {
 
 /// The row of how hard the blow is: the speed of an object, the peak of a force.
 pub fn strength(scenario: &Scenario) -> FormRow {
-    let rows = rows(scenario, false).into_iter();
-    let mut strengths = rows.filter(|row| {
-        matches!(row, FormRow::Field(field)
-            if ["impact.speed_m_s", "impact.force_n"].contains(&field.path))
-    });
-    strengths.next().unwrap_or(FormRow::Preset)
+    let strengths = ["impact.speed_m_s", "impact.force_n"];
+    let mut rows = rows(scenario, false).into_iter();
+    rows.find(|row| strengths.contains(&row.path())).unwrap_or_default()
 }
 
 /// What a field accepts, in the words of the form.
@@ -180,8 +178,7 @@ pub fn typed_text(field: &Field, scenario: &Scenario) -> Option<String> {
     })
 }
 
-/// The character that a key press puts into a field: a point for a decimal comma, and none where
-/// it can be no part of the value.
+/// What a key puts into a field: a point for a decimal comma; none where it can be no part of it.
 pub fn admitted(field: &Field, c: char) -> Option<char> {
     let numeral = c.is_ascii_digit()
         || matches!(c, '.' | '-' | '+' | '/' | ':' | '_' | 'e' | 'E' | '±' | ' ');
@@ -201,24 +198,25 @@ pub fn words(error: &ScenarioError) -> String {
     as_typed(&messages.join("; "))
 }
 
-/// The scenario with `text` in a field, if it may be there.
-///
-/// # Errors
-/// Says why it may not.
-pub fn with_text(scenario: &Scenario, field: &Field, text: &str) -> Result<Scenario, String> {
+/// The scenario with `text` in a field, or why it may not be there.
+pub(crate) fn with_text(
+    scenario: &Scenario,
+    field: &Field,
+    text: &str,
+) -> Result<Scenario, String> {
     let mut changed = scenario.clone();
-    set(&mut changed, field.path, text).map_err(|error| words(&error))?;
+    let refused = |error| words(&error);
+    set(&mut changed, field.path, text).map_err(refused)?;
     if field.path == "impact" && Model::usual_for(&changed.impact) != Model::Paper {
         // Whoever asks for an object means the model that takes one; its parts are kept if it is
         // there.
-        set(&mut changed, "model", "Physiological").map_err(|error| words(&error))?;
+        set(&mut changed, "model", "Physiological").map_err(refused)?;
     }
-    changed.check().map_err(|error| words(&error))?;
+    changed.check().map_err(refused)?;
     Ok(changed)
 }
 
-/// The place of what is chosen in a field of choices. None of a recorded curve, which is not
-/// thrown away by a key.
+/// The place of what is chosen. None of a recorded curve, which no key throws away.
 pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
     let Kind::Choice(choices) = &field.kind else {
         return None;
@@ -229,10 +227,7 @@ pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
 
 /// The scenario with a field one step further. Numbers land on multiples of the step and stop at
 /// their bounds; choices go round. `present` is what an unset number stands at.
-///
-/// # Errors
-/// Says why the step may not be taken.
-pub fn nudged(
+pub(crate) fn nudged(
     scenario: &Scenario,
     field: &Field,
     step: Step,
@@ -340,10 +335,8 @@ mod tests {
             let Kind::Number(_, place) = &field.kind else {
                 continue;
             };
-            let holder = every_variant()
-                .into_iter()
-                .rfind(|scenario| (place.get)(scenario).is_some())
-                .unwrap();
+            let has = |scenario: &Scenario| (place.get)(scenario).is_some();
+            let holder = every_variant().into_iter().rfind(has).unwrap();
             let bounds = field.bounds_in(&holder).unwrap();
             for (end, step) in [(bounds.max, Step::MUCH_MORE), (bounds.min, Step::MUCH_LESS)] {
                 let mut scenario = holder.clone();
@@ -368,12 +361,7 @@ mod tests {
     fn rows_follow_the_variant_and_the_fold() {
         let mut scenario = Scenario::default();
         let paths = |scenario: &Scenario, advanced| -> Vec<&str> {
-            let path = |row: FormRow| match row {
-                FormRow::Field(field) => field.path,
-                FormRow::Preset => "preset",
-                FormRow::Fold => "fold",
-            };
-            rows(scenario, advanced).into_iter().map(path).collect()
+            rows(scenario, advanced).into_iter().map(FormRow::path).collect()
         };
         let basic = paths(&scenario, false);
         assert!(basic.contains(&"impact.shape.edge_fraction") && basic.contains(&"window_ms"));

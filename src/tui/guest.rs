@@ -27,10 +27,7 @@ pub const LONGEST_ANSWER: Duration = Duration::from_secs(30);
 /// The most memory, in bytes.
 pub const MEMORY: u64 = 256 << 20;
 
-/// Whether a guest may have this simulated.
-///
-/// # Errors
-/// Says what is too much.
+/// Whether a guest may have this simulated, or what is too much.
 pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     let (level, window) = (scenario.eye.level, scenario.window_ms.unwrap_or(0.0));
     if level > FINEST_LEVEL {
@@ -44,11 +41,7 @@ pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
-/// Takes from this process what a guest does not need, for good. Threads that begin later have no
-/// more.
-///
-/// # Errors
-/// Where the system refuses.
+/// Takes from this process and all its later threads what a guest does not need, for good.
 pub(super) fn confine() -> io::Result<()> {
     files::shut();
     by_the_system()
@@ -67,8 +60,7 @@ fn by_the_system() -> io::Result<()> {
     Ok(())
 }
 
-/// Guests spread over the cores by their numbers. Where the system refuses, the priority has to
-/// do.
+/// Guests spread over the cores by their numbers; else the priority has to do.
 #[cfg(target_os = "linux")]
 fn one_core() {
     use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
@@ -99,15 +91,10 @@ mod tests {
     use crate::scenario::library::built_in;
 
     #[test]
-    fn every_preset_of_the_program_is_for_guests_and_finer_or_longer_ones_are_not() {
+    fn every_preset_of_the_program_is_for_guests() {
         for preset in built_in() {
             let scenario = preset.scenario().unwrap();
             assert_eq!(allowed(&scenario), Ok(()), "{}", preset.name);
         }
-        let mut fine = Scenario::default();
-        fine.eye.level = FINEST_LEVEL + 1;
-        assert!(allowed(&fine).unwrap_err().contains("allowed 1 to 3"));
-        let long = Scenario { window_ms: Some(20.5), ..Scenario::default() };
-        assert!(allowed(&long).unwrap_err().contains("up to 20 ms"));
     }
 }

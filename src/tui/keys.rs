@@ -1,8 +1,7 @@
 //! What a key is, what is said of it, and what it does.
 //!
-//! Whatever has keys lists them in [`KeyTable`]s, each key with what it does there. Dispatch,
-//! footer, help, the guide's table and the test of uniqueness all read these tables, which are
-//! handed in. Letters that are typed into a field are not in them.
+//! Whatever has keys lists them in [`KeyTable`]s, which dispatch, footer, help, guide and tests
+//! read. Letters that are typed into a field are not in them.
 
 pub mod chosen;
 pub mod press;
@@ -17,8 +16,7 @@ use press::Press;
 pub struct Key {
     /// The keys; the first that nothing nearer has for itself is shown in the footer.
     pub presses: &'static [Press],
-    /// A word for the footer; empty where it has no place there, `&` where the word before goes
-    /// for this key too.
+    /// A word for the footer; empty for none, `&` where the word before goes for this key too.
     pub short: &'static str,
     /// A few words for the help.
     pub help: &'static str,
@@ -40,10 +38,9 @@ pub struct Binding<A> {
 impl<A: Copy> Binding<A> {
     /// This binding with a name, by which the config file may give it other keys.
     #[must_use]
-    pub const fn named(self, name: &'static str) -> Self {
-        let key = Key { name, ..self.key };
-        let act = self.act;
-        Self { key, act }
+    pub const fn named(mut self, name: &'static str) -> Self {
+        self.key.name = name;
+        self
     }
 }
 
@@ -57,13 +54,9 @@ impl Key {
     pub fn names(&self, keys: &Keys) -> Vec<String> {
         let presses = keys.of(self);
         let digits = presses.iter().filter(|press| press.is_digit()).count() == 10;
-        let mut names: Vec<String> = Vec::new();
-        if digits {
-            names.push("0-9".to_owned());
-        }
-        let rest = presses.iter().filter(|p| !(digits && p.is_digit()));
-        names.extend(rest.map(|press| press.name()));
-        names
+        let rest = presses.iter().filter(|press| !(digits && press.is_digit()));
+        let digits = digits.then(|| "0-9".to_owned());
+        digits.into_iter().chain(rest.map(|press| press.name())).collect()
     }
 }
 
@@ -90,10 +83,8 @@ impl<A: Copy> KeyTable<A> {
 
     /// Its keys, whatever they do.
     pub fn list(&self) -> KeyList {
-        KeyList {
-            title: self.title,
-            keys: self.bindings.iter().map(|binding| &binding.key).collect(),
-        }
+        let keys = self.bindings.iter().map(|binding| &binding.key).collect();
+        KeyList { title: self.title, keys }
     }
 }
 
@@ -169,10 +160,9 @@ pub fn footer_keys(
 /// The lists as the guide shows them: a heading and a block of text for each.
 pub fn markdown(lists: &[KeyList]) -> String {
     let keys = Keys::default();
+    let row = |key: &&Key| format!("{:<15} {}\n", key.names(&keys).join(" "), key.help);
     let section = |list: &KeyList| {
-        let own = list.keys.iter();
-        let rows = own.map(|key| format!("{:<15} {}\n", key.names(&keys).join(" "), key.help));
-        let rows: String = rows.collect();
+        let rows: String = list.keys.iter().map(row).collect();
         format!("\n## {}\n\n```text\n{rows}```\n", list.title)
     };
     lists.iter().map(section).collect()

@@ -1,10 +1,10 @@
-//! How things are drawn.
+//! Colours and symbols.
 
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::view::{heat::HeatMap, palette::Palette};
 
 /// How things are drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
     /// How many colours.
     pub depth: Depth,
@@ -20,6 +20,6 @@ pub struct Look {
 impl Look {
     /// As the app is by itself on a dark ground.
     pub fn new(depth: Depth, symbols: Symbols) -> Self {
-        Self { depth, symbols, heat: HeatMap::Hot, palette: Palette::default() }
+        Self { depth, symbols, ..Self::default() }
     }
 }

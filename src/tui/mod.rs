@@ -11,21 +11,19 @@
 
 pub mod app;
 mod changes;
-pub mod changing;
-pub mod choices;
+mod changing;
 pub mod clock;
 pub mod config;
 pub mod ensemble;
 pub mod form;
-pub mod guest;
-mod idle;
+mod guest;
 pub mod keys;
-pub mod line;
+mod line;
 pub mod look;
-pub mod model;
+mod model;
 pub mod outbox;
 pub mod overlay;
-pub mod page;
+mod page;
 pub mod picker;
 pub mod request;
 pub mod save;
@@ -33,15 +31,16 @@ mod saved_session;
 pub mod screens;
 pub mod shown;
 pub mod simulation;
-pub(crate) mod step;
+mod step;
 pub mod task;
 pub mod terminal;
 pub mod threshold;
-pub(crate) mod undo;
+mod undo;
 pub mod view;
-pub mod work;
-pub(crate) mod worker;
+mod work;
+mod worker;
 
 mod open;
 
-pub use crate::tui::open::{AppFlags, OpenError, Options, prepare, run};
+pub(crate) use crate::tui::open::run;
+pub use crate::tui::open::{AppFlags, OpenError, Options, prepare};

@@ -3,20 +3,18 @@
 
 use crate::answer::solve::Answer;
 use crate::scenario::Scenario;
-use crate::tui::form::{ScenarioForm, strength};
 use crate::tui::request::TaskQuestion as _;
 use crate::tui::simulation::{Complete, Simulate, first_estimate};
-use crate::tui::{choices::Choice, clock::Clock, ensemble::Samples, guest, keys::chosen::Keys};
-use crate::tui::{
-    look::Look, outbox::Outbox, overlay::Overlay, page::WritePage, shown::ShownAnswer,
-};
-use crate::tui::{task::Task, undo::History, work::Work};
+use crate::tui::{clock::Clock, ensemble::Samples, form::ScenarioForm, guest, picker::Choice};
+use crate::tui::{keys::chosen::Keys, look::Look, outbox::Outbox, overlay::Overlay};
+use crate::tui::{page::WritePage, shown::ShownAnswer, task::Task, undo::History, work::Work};
 use std::time::Duration;
 
 /// The answer through whose time the clock goes, and the end of that time in s.
 pub type Timed<'a> = (&'a Answer, f64);
 
 /// What the screens share.
+#[derive(Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each says one thing")]
 pub struct AppModel {
     /// What is being worked on.
@@ -41,8 +39,7 @@ pub struct AppModel {
     pub clock: Clock,
     /// Samples over what is not known of the inputs.
     pub ensemble: Samples,
-    /// Removed presets, the last of them last: how many changes could be undone then, the name,
-    /// and the file's text.
+    /// Removed presets: how many changes could be undone then, the name, and the file's text.
     pub removed: Vec<(usize, String, String)>,
     /// What can be opened.
     pub choices: Vec<Choice>,
@@ -72,40 +69,7 @@ pub struct AppModel {
 pub const FIRST_ESTIMATE: &str = "first estimate";
 
 impl AppModel {
-    /// A model about to work on `work`, with everything that can be opened.
-    pub fn new(work: Work, choices: Vec<Choice>, look: Look) -> Self {
-        let form = ScenarioForm { selected: strength(&work.scenario), ..ScenarioForm::default() };
-        Self {
-            work,
-            history: History::default(),
-            form,
-            shown: None,
-            answered: None,
-            run: Task::default(),
-            rest: Task::default(),
-            page: Task::default(),
-            overlay: None,
-            clock: Clock::default(),
-            ensemble: Samples::default(),
-            removed: Vec::new(),
-            choices,
-            notice: None,
-            slow_link: false,
-            look,
-            mouse: false,
-            idle: true,
-            goes_on: false,
-            guest: false,
-            keys: Keys::default(),
-            now: Duration::ZERO,
-            out: Outbox::default(),
-        }
-    }
-
-    /// Whether this scenario may be simulated here.
-    ///
-    /// # Errors
-    /// Says what is too much for a guest.
+    /// Whether this scenario may be simulated here, or why not.
     pub fn allows(&self, scenario: &Scenario) -> Result<(), String> {
         if self.guest { guest::allowed(scenario) } else { Ok(()) }
     }
@@ -121,17 +85,13 @@ impl AppModel {
         format!("{}{edited}", self.work.name())
     }
 
-    /// The mechanical model of the scenario in words.
-    pub fn material(&self) -> &'static str {
-        self.work.scenario.model.title()
-    }
-
     /// Why the result on show is not that of the form, if it is not.
     pub fn stale(&self) -> Option<&'static str> {
         let other = |shown: &ShownAnswer| shown.scenario != self.work.scenario;
-        if self.shown.as_ref().is_some_and(|shown| {
+        let is_first = |shown: &ShownAnswer| {
             other(shown) && first_estimate(&self.work.scenario).as_ref() == Some(&shown.scenario)
-        }) {
+        };
+        if self.shown.as_ref().is_some_and(is_first) {
             return Some(FIRST_ESTIMATE);
         }
         if self.run.complaint.is_some() {
@@ -144,8 +104,7 @@ impl AppModel {
         }
     }
 
-    /// Whether something is computed that somebody asked for, whatever the screens ask for
-    /// themselves.
+    /// Whether something is computed that somebody asked for, the screens left aside.
     pub fn is_busy(&self) -> bool {
         let samples = self.ensemble.task.job.as_ref();
         let looks =
@@ -171,19 +130,13 @@ impl AppModel {
         rest().or_else(samples)
     }
 
-    /// Whether pictures should take few bytes: while they move over a slow link.
-    pub fn is_lean(&self) -> bool {
-        self.slow_link && self.clock.playing
-    }
-
     /// The answer to the form, and the end of its time in s.
     pub fn timed(&self) -> Option<Timed<'_>> {
         let answer = self.shown.as_ref()?.answer.as_ref();
         Some((answer, answer.window()))
     }
 
-    /// The answer to the form with the name of its source, for pages and summaries; empty without
-    /// one.
+    /// The answer to the form, if there is one, with the name of its source.
     pub fn answer(&self) -> Vec<(String, &ShownAnswer)> {
         let named = |shown| (self.work.name().to_owned(), shown);
         self.shown.iter().map(named).collect()

@@ -9,11 +9,12 @@ use clap::Args;
 use crate::plain_text::quoted;
 use crate::scenario::library::resolve;
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::tui::choices::{Choice, choices};
+use crate::tui::form::{ScenarioForm, strength};
+use crate::tui::picker::{Choice, Picker, choices};
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::{app::App, config::Config, look::Look, model::AppModel, overlay::Overlay};
-use crate::tui::{guest, saved_session, terminal};
-use crate::tui::{picker::Picker, saved_session::SavedSession, view::palette::Palette, work::Work};
+use crate::tui::{guest, saved_session, screens::SCREENS, terminal};
+use crate::tui::{saved_session::SavedSession, view::palette::Palette, work::Work};
 
 /// What is opened if nothing is asked for.
 pub(super) const FIRST: &str = "paper-300n";
@@ -37,12 +38,9 @@ pub struct Options {
 }
 
 fn minutes(text: &str) -> Result<Duration, &'static str> {
-    match text.parse::<f64>() {
-        Ok(minutes) if (0.01..=1440.0).contains(&minutes) => {
-            Ok(Duration::from_secs_f64(60.0 * minutes))
-        }
-        _ => Err("expected 0.01 to 1440 minutes"),
-    }
+    let minutes = text.parse().ok().filter(|minutes| (0.01..=1440.0).contains(minutes));
+    let seconds = minutes.map(|minutes: f64| 60.0 * minutes);
+    seconds.map(Duration::from_secs_f64).ok_or("expected 0.01 to 1440 minutes")
 }
 
 /// How the app looks and listens.
@@ -93,12 +91,8 @@ impl OpenError {
     }
 }
 
-/// Opens the app and stays until the person leaves, or until a guest has touched no key for so
-/// long.
-///
-/// # Errors
-/// Where there is no terminal, a scenario makes no sense, or the terminal fails.
-pub fn run(
+/// Opens the app and stays until the person leaves, or a guest has touched no key for so long.
+pub(crate) fn run(
     sources: &[String],
     flags: &AppFlags,
     guest: Option<Duration>,
@@ -141,9 +135,7 @@ pub fn run(
     app.model.idle = config.idle;
     app.model.keys = config.keys;
     // Several that were given are compared.
-    if let Some(screen) = first
-        && sources.len() < 2
-    {
+    if let Some(screen) = first.filter(|_| sources.len() < 2) {
         app.show(screen);
     }
     let settings = terminal::Settings {
@@ -164,12 +156,11 @@ pub fn run(
 
 /// The app, going on where the app was left; the first time it asks what hit the eye.
 fn resume(look: Look) -> Result<App, ScenarioError> {
-    let saved = match saved_session::read() {
+    let (saved, changed) = match saved_session::read() {
         Ok(Some(saved)) => saved,
         Ok(None) => {
             let mut app = prepare(&[], look)?;
-            let mut picker = Picker::at(&app.model.choices, "");
-            picker.first = true;
+            let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
             app.model.overlay = Some(Overlay::Picker(picker));
             return Ok(app);
         }
@@ -179,6 +170,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
             return Ok(app);
         }
     };
+    let screen = saved.screen();
     let opened = prepare(std::slice::from_ref(&saved.source), look);
     let gone = opened.is_err();
     let mut app = opened.or_else(|_| prepare(&[], look))?;
@@ -186,7 +178,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
     if gone {
         app.model.notice = Some(format!("cannot be opened any more: {source}"));
     }
-    if let Some(changed) = saved.changed {
+    if let Some(changed) = changed {
         app.model.work.scenario = changed;
         if gone {
             app.model.notice = Some(format!("what you made of {source} is here: s saves it"));
@@ -194,7 +186,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
             app.model.work.original = None;
         }
     }
-    app.show(saved.screen);
+    app.show(screen);
     Ok(app)
 }
 
@@ -202,9 +194,8 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
 fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError> {
     model.guest = true;
     for choice in &mut model.choices {
-        if let Ok(scenario) = &choice.scenario
-            && let Err(why) = guest::allowed(scenario)
-        {
+        let may = choice.scenario.as_ref().map(guest::allowed);
+        if let Ok(Err(why)) = may {
             if sources.contains(&choice.name) {
                 return Err(Problem::new("", why).of(&choice.name).into());
             }
@@ -226,13 +217,19 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     for source in sources {
         let scenario = resolve(source)?;
         if !choices.iter().any(|choice| choice.name == *source) {
-            choices.insert(
-                works.len().min(choices.len()),
-                Choice { name: source.clone(), scenario: Ok(scenario.clone()), origin: "file" },
-            );
+            let scenario = Ok(scenario.clone());
+            let choice = Choice { name: source.clone(), scenario, origin: "file" };
+            choices.insert(works.len().min(choices.len()), choice);
         }
         works.push(Work::fresh(source, &scenario));
     }
-    let model = AppModel::new(works[0].clone(), choices, look);
-    Ok(App::new(model, &works))
+    let work = works[0].clone();
+    let selected = strength(&work.scenario);
+    let form = ScenarioForm { selected, ..ScenarioForm::default() };
+    let mut model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
+    let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
+    for screen in &mut screens {
+        screen.opened_on(&mut model, &works);
+    }
+    Ok(App { model, screens, screen: 0, dragging: false })
 }

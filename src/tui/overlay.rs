@@ -44,11 +44,8 @@ pub enum Prompt {
     Adopt(String, Box<Scenario>),
     /// Write this page, with the beginning of its file's name, though it is large?
     Page(String, Vec<u8>),
-    /// Quit without saving? The next start may bring the changes back.
-    Quit {
-        /// Whether the next start brings them back.
-        kept: bool,
-    },
+    /// Quit without saving? Whether the next start brings the changes back.
+    Quit(bool),
 }
 
 impl Prompt {
@@ -60,18 +57,16 @@ impl Prompt {
             Self::Hide(name) => format!("Save over the built-in {name}?"),
             Self::Page(..) => "Write the page?".to_owned(),
             Self::Adopt(..) => "Compute it so?".to_owned(),
-            Self::Quit { .. } => "Quit without saving the changes?".to_owned(),
+            Self::Quit(_) => "Quit without saving the changes?".to_owned(),
         }
     }
 
     /// The question in full, with what a yes would do.
     pub fn text(&self) -> String {
         match self {
-            Self::Remove(name) => {
-                format!(
-                    "This removes your preset {name} from the disk. Remove it? u brings it back."
-                )
-            }
+            Self::Remove(name) => format!(
+                "This removes your preset {name} from the disk. Remove it? u brings it back."
+            ),
             Self::Replace(name) => {
                 format!("There is a preset {name} already. Put this one in its place?")
             }
@@ -84,10 +79,8 @@ impl Prompt {
                 format!("{stem}.html of {size:.1} MB goes into {}. Write it?", folder.display())
             }
             Self::Adopt(words, _) => words.clone(),
-            Self::Quit { kept: false } => {
-                "The changes are not saved. Quit and lose them?".to_owned()
-            }
-            Self::Quit { kept: true } => {
+            Self::Quit(false) => "The changes are not saved. Quit and lose them?".to_owned(),
+            Self::Quit(true) => {
                 "The changes are not saved as a preset. Quit? They are there again next time."
                     .to_owned()
             }

@@ -1,6 +1,5 @@
 //! A page of one blow or several, written for a browser on another thread.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::answer::solve::Answer;
@@ -24,17 +23,13 @@ impl TaskQuestion for WritePage {
     type Answer = String;
 
     fn answer(&self, watch: Watch) -> Result<String, Refusal> {
-        let mut entries = Vec::with_capacity(self.blows.len());
-        for (source, scenario, answer) in &self.blows {
-            entries.push(Entry {
-                found: Found::Answer((**answer).clone()),
-                ..Entry::new(source, scenario)
-            });
-        }
-        match html::page(&entries, self.command.as_deref(), watch) {
-            ControlFlow::Continue(page) => Ok(page),
-            ControlFlow::Break(()) => Err(Refusal::Cancelled),
-        }
+        let entry = |(source, scenario, answer): &(String, Scenario, Arc<Answer>)| {
+            let found = Found::Answer((**answer).clone());
+            Entry { found, ..Entry::new(source, scenario) }
+        };
+        let entries: Vec<_> = self.blows.iter().map(entry).collect();
+        let page = html::page(&entries, self.command.as_deref(), watch);
+        page.continue_value().ok_or(Refusal::Cancelled)
     }
 }
 
@@ -45,7 +40,7 @@ pub fn writing(task: &Task<WritePage>) -> Option<String> {
         1 => "writing a page".to_owned(),
         count => format!(
             "writing a page: blow {} of {count}",
-            1 + (job.pace.unwrap_or_default().share() * count as f64).round() as usize
+            1 + (job.pace.unwrap_or_default().share * count as f64).round() as usize
         ),
     })
 }

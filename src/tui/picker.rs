@@ -1,10 +1,46 @@
-//! The list of everything that can be opened: which of it is shown for what is typed, and in which
-//! order.
-//!
+//! The list of everything that can be opened: what is shown for what is typed, in which order.
 
+use crate::scenario::library::{self, Origin};
 use crate::scenario::problem::{ALIKE, likeness, plain};
 use crate::scenario::{Impact, Scenario};
-use crate::tui::{choices::Choice, line::TextLine};
+use crate::tui::line::TextLine;
+
+/// A preset, or a scenario that was given on the command line.
+#[derive(Debug, Clone)]
+pub struct Choice {
+    /// What the list shows, and what opens it.
+    pub name: String,
+    /// What it holds, or why it cannot be used.
+    pub scenario: Result<Scenario, String>,
+    /// Where it comes from, in a word.
+    pub origin: &'static str,
+}
+
+/// The most presets of a person's own that the app holds and saves.
+pub const MAX_OWN: usize = 1000;
+
+/// Every preset that can be opened; a broken one says why it cannot.
+pub fn choices() -> Vec<Choice> {
+    let (mut choices, mut own) = (Vec::new(), 0);
+    for preset in library::list().unwrap_or_else(|_| library::built_in()) {
+        let is_own = matches!(preset.origin, Origin::User(_));
+        own += usize::from(is_own);
+        if !is_own || own <= MAX_OWN {
+            let scenario = preset.scenario().map_err(|error| error.to_string());
+            let origin = if is_own { "own" } else { "" };
+            choices.push(Choice { name: preset.name, scenario, origin });
+        }
+    }
+    if own > MAX_OWN {
+        let unlisted = "presets of your own; `contrecoup presets` lists all";
+        choices.push(Choice {
+            name: format!("({} more)", own - MAX_OWN),
+            scenario: Err(format!("the app lists {MAX_OWN} {unlisted}")),
+            origin: "own",
+        });
+    }
+    choices
+}
 
 /// Rows of a page.
 pub const PAGE: i16 = 10;
@@ -29,9 +65,8 @@ impl Picker {
     pub fn at(choices: &[Choice], name: &str) -> Self {
         let mut picker = Self::default();
         picker.search(choices);
-        let here = |at: &usize| choices[*at].name == name;
-        picker.row = picker.shown.iter().position(here).unwrap_or(0);
-        picker
+        let here = picker.shown.iter().position(|at| choices[*at].name == name);
+        Self { row: here.unwrap_or(0), ..picker }
     }
 
     /// Shows what fits to what is typed, the cursor on the first.
@@ -39,16 +74,12 @@ impl Picker {
         self.row = 0;
         self.shown = (0..choices.len()).collect();
         self.shown.sort_by_key(|at| rank(&choices[*at]));
-        let words = self.typed().0.split_whitespace();
-        let words: Vec<&str> = words.collect();
+        let words: Vec<&str> = self.typed().0.split_whitespace().collect();
         if words.is_empty() {
             return;
         }
-        let mut found: Vec<(f64, usize)> = self
-            .shown
-            .iter()
-            .filter_map(|at| Some((nearness(&words, &text(&choices[*at]))?, *at)))
-            .collect();
+        let near = |at: &usize| Some((nearness(&words, &text(&choices[*at]))?, *at));
+        let mut found: Vec<(f64, usize)> = self.shown.iter().filter_map(near).collect();
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         self.shown = found.into_iter().map(|(_, at)| at).collect();
     }
@@ -122,7 +153,6 @@ pub fn facts(scenario: &Scenario) -> [String; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::choices::choices;
 
     fn found(text: &str) -> Vec<String> {
         let choices = choices();
@@ -134,12 +164,10 @@ mod tests {
 
     #[test]
     fn what_is_typed_finds_its_preset_first() {
+        for typed in ["squash", "squash ball", "SQUASH", "sqsh", "squish"] {
+            assert_eq!(found(typed)[0], "squash-ball", "{typed}");
+        }
         for (typed, first) in [
-            ("squash", "squash-ball"),
-            ("squash ball", "squash-ball"),
-            ("SQUASH", "squash-ball"),
-            ("sqsh", "squash-ball"),
-            ("squish", "squash-ball"),
             ("paper 300", "paper-300n"),
             ("bb 92", "bb-92"),
             ("air soft 75", "airsoft-75"),

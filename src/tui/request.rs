@@ -1,5 +1,4 @@
-//! A question for another thread, the request that carries it there, and the report that comes
-//! back.
+//! A question for another thread, the request that carries it, and the report that comes back.
 
 use std::any::{Any, TypeId};
 use std::fmt;
@@ -44,34 +43,18 @@ pub trait TaskQuestion: Send + Sync + 'static {
 /// An answer of a type that only its question knows.
 pub(super) type Anything = Box<dyn Any + Send>;
 
-/// A question whatever its type.
-trait AnyQuestion: Send + Sync {
-    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal>;
-    fn is_idle(&self) -> bool;
-    fn as_any(&self) -> &dyn Any;
-}
+/// How an answer of any type is found; the second argument is shown parts of it.
+type Find = dyn Fn(Watch, &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> + Send + Sync;
 
-impl<Q: TaskQuestion> AnyQuestion for Q {
-    fn find(&self, watch: Watch, show: &mut dyn FnMut(Anything)) -> Result<Anything, Refusal> {
-        let answer = self.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
-        Ok(Box::new(answer))
-    }
-
-    fn is_idle(&self) -> bool {
-        TaskQuestion::is_idle(self)
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-}
-
-/// A question on its way to a worker.
+/// A question of any type on its way to a worker.
 #[derive(Clone)]
 pub struct Request {
     /// Its ticket.
     pub ticket: Ticket,
-    question: Arc<dyn AnyQuestion>,
+    /// Which worker it is for, and whether nobody asked for it.
+    pub kind: (TypeId, bool),
+    question: Arc<dyn Any + Send + Sync>,
+    find: Arc<Find>,
 }
 
 impl fmt::Debug for Request {
@@ -89,28 +72,24 @@ impl PartialEq for Request {
 impl Request {
     /// The request of a question.
     pub fn new<Q: TaskQuestion>(ticket: Ticket, question: Arc<Q>) -> Self {
-        Self { ticket, question }
+        let (kind, asked) = ((TypeId::of::<Q>(), question.is_idle()), question.clone());
+        let find = move |watch: Watch, show: &mut dyn FnMut(Anything)| {
+            let answer = asked.fill_in(watch, &mut |so_far| show(Box::new(so_far)))?;
+            Ok(Box::new(answer) as Anything)
+        };
+        Self { ticket, kind, question, find: Arc::new(find) }
     }
 
     /// The question, if it is of this type.
     pub fn question<Q: TaskQuestion>(&self) -> Option<&Q> {
-        self.question.as_any().downcast_ref()
-    }
-
-    /// Tells the worker that it is for: a newer request of a kind takes the place of an older one.
-    /// Whether nobody asked for it is the second part.
-    pub fn kind(&self) -> (TypeId, bool) {
-        (self.question.as_any().type_id(), self.question.is_idle())
+        self.question.downcast_ref()
     }
 
     /// Does the work; `say` is told what there is so far.
     pub fn answered(&self, watch: Watch, say: &dyn Fn(Report)) -> Report {
-        let ticket = self.ticket;
-        let mut show = |so_far| {
-            let news = News::SoFar(so_far);
-            say(Report { ticket, news });
-        };
-        Report { ticket, news: News::Done(self.question.find(watch, &mut show)) }
+        let report = |news| Report { ticket: self.ticket, news };
+        let mut show = |so_far| say(report(News::SoFar(so_far)));
+        report(News::Done((self.find)(watch, &mut show)))
     }
 }
 
@@ -134,19 +113,16 @@ pub(super) enum News {
 impl Report {
     /// This share of the work is done, from 0 to 1, so long after the beginning.
     pub fn progress(ticket: Ticket, share: f64, elapsed: Duration) -> Self {
-        let news = News::Share(share, elapsed);
-        Self { ticket, news }
+        Self { ticket, news: News::Share(share, elapsed) }
     }
 
     /// This is there already.
     pub fn so_far<Q: TaskQuestion>(ticket: Ticket, answer: Q::Answer) -> Self {
-        let news = News::SoFar(Box::new(answer));
-        Self { ticket, news }
+        Self { ticket, news: News::SoFar(Box::new(answer)) }
     }
 
     /// The work ended so.
     pub fn done<Q: TaskQuestion>(ticket: Ticket, outcome: Result<Q::Answer, Refusal>) -> Self {
-        let news = News::Done(outcome.map(|answer| Box::new(answer) as Anything));
-        Self { ticket, news }
+        Self { ticket, news: News::Done(outcome.map(|answer| Box::new(answer) as Anything)) }
     }
 }

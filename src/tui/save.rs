@@ -35,18 +35,14 @@ pub enum SaveError {
     Kept(String),
 }
 
-/// Whether a preset may be called this.
-///
-/// # Errors
-/// Where it may not.
-pub fn check_name(name: &str) -> Result<(), SaveError> {
-    if let Some(c) = name.chars().find(|c| !is_allowed(*c)) {
-        return Err(match c {
-            c if is_unprintable(c) => SaveError::Name,
-            c => SaveError::Letter(c.to_string()),
-        });
+/// Whether a preset may be called this, or why not.
+pub(crate) fn check_name(name: &str) -> Result<(), SaveError> {
+    match name.chars().find(|c| !is_allowed(*c)) {
+        Some(c) if is_unprintable(c) => return Err(SaveError::Name),
+        Some(c) => return Err(SaveError::Letter(c.to_string())),
+        None => {}
     }
-    let ends_in_ron = std::path::Path::new(name).extension();
+    let ends_in_ron = Path::new(name).extension();
     if name.starts_with('-') || ends_in_ron.is_some_and(|end| end.eq_ignore_ascii_case("ron")) {
         return Err(SaveError::CommandLine);
     }
@@ -65,7 +61,7 @@ fn is_allowed(c: char) -> bool {
 }
 
 /// `stem`, or a name like it, that none of the others has: with a number behind it, from 2 on.
-pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
+pub(crate) fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     // Room for a dash and three digits.
     let letters = stem.chars().take(LONGEST - 4);
     let like: String = letters.map(|c| if is_allowed(c) { c } else { '-' }).collect();
@@ -79,27 +75,44 @@ pub fn free_name(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
     names.find(free).unwrap_or_default()
 }
 
-/// Writes `text` as the preset `name` into `folder`, which is made if need be.
-///
-/// # Errors
-/// [`SaveError::Exists`] if it is there already and may not be replaced; otherwise says what went
-/// wrong. Whatever was there before is then still there.
-pub fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), SaveError> {
-    save_by(folder, name, replace, |file| {
-        file.write_all(text.as_bytes())?;
-        file.sync_all()
-    })
+/// Writes `text` as the preset `name` into `folder`, which is made if need be. Where that fails,
+/// whatever was there before is still there.
+pub(crate) fn save(folder: &Path, name: &str, text: &str, replace: bool) -> Result<(), SaveError> {
+    check_name(name)?;
+    fs::create_dir_all(folder).map_err(failed)?;
+    let mut path = folder.join(format!("{name}.ron"));
+    if replace {
+        // What a link leads to is replaced, and the link stays.
+        path = whole_file::resolved(&path);
+    }
+    // On an error the temporary file goes when it is dropped.
+    let mut file = whole_file::beside(&path).map_err(failed)?;
+    file.write_all(text.as_bytes()).map_err(failed)?;
+    file.as_file().sync_all().map_err(failed)?;
+    whole_file::put(file, &path, replace).map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => SaveError::Exists(name.to_owned()),
+        _ => failed(error),
+    })?;
+    // The rename itself must reach the disk; a folder that cannot be opened is no loss of data.
+    let _ = fs::File::open(folder).and_then(|folder| folder.sync_all());
+    Ok(())
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "what map_err gives")]
+fn failed(error: io::Error) -> SaveError {
+    SaveError::Failed(error.to_string())
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "what map_err gives")]
+fn kept(error: io::Error) -> SaveError {
+    SaveError::Kept(error.to_string())
 }
 
 /// Gives the preset `from` of `folder` the name `to`, its title too where that was its name.
 /// Between the two steps it is there under both names, never under none.
-///
-/// # Errors
-/// [`SaveError::Exists`] if there is one of that name; otherwise says what went wrong.
-pub fn rename(folder: &Path, from: &str, to: &str) -> Result<(), SaveError> {
+pub(crate) fn rename(folder: &Path, from: &str, to: &str) -> Result<(), SaveError> {
     check_name(from)?;
-    let text = fs::read_to_string(folder.join(format!("{from}.ron")))
-        .map_err(|error| SaveError::Kept(error.to_string()))?;
+    let text = fs::read_to_string(folder.join(format!("{from}.ron"))).map_err(kept)?;
     save(folder, to, &retitled(text, (from, to), folder), false)?;
     remove(folder, from).map(|_| ())
 }
@@ -117,23 +130,17 @@ fn retitled(text: String, (from, to): (&str, &str), folder: &Path) -> String {
 }
 
 /// Removes the preset `name` of `folder`; gives its text, from which it can be saved again.
-///
-/// # Errors
-/// Says what went wrong; then it is still there.
-pub fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
+pub(crate) fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
     check_name(name)?;
     let path = folder.join(format!("{name}.ron"));
-    let removed = fs::read_to_string(&path).and_then(|text| fs::remove_file(&path).map(|()| text));
-    removed.map_err(|error| SaveError::Kept(error.to_string()))
+    let text = fs::read_to_string(&path).map_err(kept)?;
+    fs::remove_file(&path).map_err(kept)?;
+    Ok(text)
 }
 
 /// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives
 /// the path.
-///
-/// # Errors
-/// Says what went wrong; then there is no such file.
-pub fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
-    let failed = |error: io::Error| SaveError::Failed(error.to_string());
+pub(crate) fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
     let file = |name: &str| folder.join(format!("{name}.html"));
     loop {
         let name = free_name(stem, |name| file(name).symlink_metadata().is_ok());
@@ -148,37 +155,6 @@ pub fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError
             Err(error) => return Err(failed(error)),
         }
     }
-}
-
-fn save_by(
-    folder: &Path,
-    name: &str,
-    replace: bool,
-    fill: impl FnOnce(&mut fs::File) -> io::Result<()>,
-) -> Result<(), SaveError> {
-    check_name(name)?;
-    let failed = |error: io::Error| SaveError::Failed(error.to_string());
-    fs::create_dir_all(folder).map_err(failed)?;
-    let mut path = folder.join(format!("{name}.ron"));
-    if replace {
-        // What a link leads to is replaced, and the link stays.
-        path = whole_file::resolved(&path);
-    }
-    let mut file = whole_file::beside(&path).map_err(failed)?;
-    // On an error the temporary file goes when it is dropped.
-    fill(file.as_file_mut()).map_err(failed)?;
-    whole_file::put(file, &path, replace).map_err(|error| {
-        if error.kind() == io::ErrorKind::AlreadyExists {
-            SaveError::Exists(name.to_owned())
-        } else {
-            failed(error)
-        }
-    })?;
-    // The rename itself must reach the disk; a folder that cannot be opened is no loss of data.
-    if let Ok(folder) = fs::File::open(folder) {
-        let _ = folder.sync_all();
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -224,20 +200,6 @@ mod tests {
     }
 
     #[test]
-    fn a_preset_is_written_and_replaced_only_when_told() {
-        let folder = tempfile::tempdir().unwrap();
-        let inner = folder.path().join("a/b");
-        assert_eq!(save(&inner, "mine", "one", false), Ok(()));
-        let taken = save(&inner, "mine", "two", false);
-        assert_eq!(taken, Err(SaveError::Exists("mine".to_owned())));
-        let file = inner.join("mine.ron");
-        assert_eq!(fs::read_to_string(&file).unwrap(), "one");
-        assert_eq!(save(&inner, "mine", "two", true), Ok(()));
-        assert_eq!(fs::read_to_string(&file).unwrap(), "two");
-        assert_eq!(names(&inner), ["mine.ron"]);
-    }
-
-    #[test]
     fn a_preset_gets_another_name_and_with_it_its_title_and_goes_when_removed() {
         let folder = tempfile::tempdir().unwrap();
         let text = "(name: \"mine\", /* mine */ impact: ForcePulse(force_n: 42))";
@@ -261,21 +223,6 @@ mod tests {
     }
 
     #[test]
-    fn a_disk_that_fills_half_way_leaves_the_old_file_and_nothing_else() {
-        let folder = tempfile::tempdir().unwrap();
-        save(folder.path(), "mine", "old", false).unwrap();
-        let outcome = save_by(folder.path(), "mine", true, |file| {
-            file.write_all(b"half of the ne")?;
-            // The error of a full disk, as the device that is always full gives it.
-            fs::File::options().write(true).open("/dev/full")?.write_all(b"w")
-        });
-        assert!(matches!(&outcome, Err(SaveError::Failed(why)) if why.contains("space")));
-        assert_eq!(names(folder.path()), ["mine.ron"]);
-        let text = fs::read_to_string(folder.path().join("mine.ron")).unwrap();
-        assert_eq!(text, "old");
-    }
-
-    #[test]
     fn names_that_leave_the_folder_or_hide_are_refused() {
         for name in ["", "..", ".x", " x", "x ", "a\u{1b}"] {
             assert_eq!(check_name(name), Err(SaveError::Name), "{name:?}");
@@ -288,10 +235,7 @@ mod tests {
         for name in ["my-blow_2.1", "my squash ball"] {
             assert_eq!(check_name(name), Ok(()));
         }
-    }
-
-    #[test]
-    fn names_that_the_command_line_could_not_open_are_refused() {
+        // The command line could not open these.
         for name in ["mine.ron", "mine.RON", "-rf", "--help", "-"] {
             assert_eq!(check_name(name), Err(SaveError::CommandLine), "{name}");
         }

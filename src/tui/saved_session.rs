@@ -1,38 +1,29 @@
 //! Where the app was left: `contrecoup/last.ron` beside the config file, written when it closes
-//! and read when it opens with nothing asked for.
+//! and read when it opens with nothing asked for. A guest leaves none.
 //!
-//! It holds the screen, the preset or file, and the scenario where it was changed since. It is
-//! written whole or not at all; where it cannot be, changes are not promised to be kept. One that
-//! cannot be read is told and otherwise as good as none. A guest leaves none.
+//! It is written whole or not at all; where it cannot be, changes are not promised to be kept. One
+//! that cannot be read is told and otherwise as good as none.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use ron::ser::{PrettyConfig, to_string_pretty};
 use serde::{Deserialize, Serialize};
 
 use crate::scenario::load::{parse, read_text, to_ron};
-use crate::scenario::{Scenario, ron_text};
-use crate::scenario::{library::home, problem::ScenarioError};
-use crate::tui::{app::App, screens::SCREENS};
+use crate::scenario::{Scenario, library::home, problem::ScenarioError, ron_text};
+use crate::tui::{app::App, screens::SCREENS, screens::screen::About};
 use crate::whole_file;
 
 /// Where the app was left.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct SavedSession {
-    /// The place of the screen.
-    pub screen: usize,
+    /// The title of the screen.
+    screen: String,
     /// The preset, or the whole path of a file.
     pub source: String,
-    /// What was made of it, if it was changed.
-    pub changed: Option<Scenario>,
-}
-
-/// The saved session as the file spells it; a scenario is the text of a scenario file.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Written {
-    screen: String,
-    source: String,
+    /// What was made of it, if it was changed: the text of a scenario file.
     changed: Option<String>,
 }
 
@@ -45,31 +36,16 @@ impl SavedSession {
         let whole = is_file.then(|| std::path::absolute(source).ok()).flatten();
         let whole = whole.and_then(|path| path.into_os_string().into_string().ok());
         Self {
-            screen: app.screen,
+            screen: app.about().title.to_lowercase(),
             source: whole.unwrap_or_else(|| source.clone()),
-            changed: app.model.is_edited().then(|| app.model.work.scenario.clone()),
+            changed: app.model.is_edited().then(|| to_ron(&app.model.work.scenario)),
         }
     }
 
-    /// Reads the text of a file.
-    pub(super) fn read(text: &str) -> Result<Self, ScenarioError> {
-        let written: Written = ron_text::read(text, "")?;
-        let title = |at: &usize| SCREENS[*at].title.eq_ignore_ascii_case(&written.screen);
-        let changed = written.changed.map(|text| parse(&text, "changed"));
-        Ok(Self {
-            screen: (0..SCREENS.len()).find(title).unwrap_or(0),
-            source: written.source,
-            changed: changed.transpose()?,
-        })
-    }
-
-    pub(super) fn text(&self) -> Result<String, ron::Error> {
-        let written = Written {
-            screen: SCREENS[self.screen].title.to_lowercase(),
-            source: self.source.clone(),
-            changed: self.changed.as_ref().map(to_ron),
-        };
-        Ok(ron::ser::to_string_pretty(&written, ron::ser::PrettyConfig::default())? + "\n")
+    /// The place of the screen.
+    pub fn screen(&self) -> usize {
+        let here = |about: &About| about.title.eq_ignore_ascii_case(&self.screen);
+        SCREENS.iter().position(here).unwrap_or(0)
     }
 }
 
@@ -77,15 +53,14 @@ fn path() -> Option<PathBuf> {
     Some(home()?.join("last.ron"))
 }
 
-/// Where the app was left, if it was ever left.
-///
-/// # Errors
-/// Says why the file cannot be read.
-pub fn read() -> Result<Option<SavedSession>, ScenarioError> {
-    match path().filter(|path| path.symlink_metadata().is_ok()) {
-        Some(path) => SavedSession::read(&read_text(&path)?).map(Some),
-        None => Ok(None),
-    }
+/// Where the app was left, if it was ever left, and what was made of what was worked on.
+pub fn read() -> Result<Option<(SavedSession, Option<Scenario>)>, ScenarioError> {
+    let Some(path) = path().filter(|path| path.symlink_metadata().is_ok()) else {
+        return Ok(None);
+    };
+    let session: SavedSession = ron_text::read(&read_text(&path)?, "")?;
+    let changed = session.changed.as_ref().map(|text| parse(text, "changed")).transpose()?;
+    Ok(Some((session, changed)))
 }
 
 /// Where it is kept, in a folder that is made if need be.
@@ -103,10 +78,7 @@ pub fn can_be_kept() -> bool {
 }
 
 /// Keeps where the app is left.
-///
-/// # Errors
-/// What the system says.
 pub fn write(session: &SavedSession) -> io::Result<()> {
-    let text = session.text().map_err(io::Error::other)?;
-    whole_file::write(&place()?, |file| file.write_all(text.as_bytes()))
+    let text = to_string_pretty(session, PrettyConfig::default()).map_err(io::Error::other)?;
+    whole_file::write(&place()?, |file| writeln!(file, "{text}"))
 }

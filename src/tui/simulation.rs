@@ -1,5 +1,5 @@
-//! The answer to the form: asked for at every edit, and what its ranges do not hold yet once
-//! nothing newer is wanted: the mesh error, and what the inputs are not known to.
+//! The answer to the form, asked for at every edit, and what its ranges do not hold yet: the mesh
+//! error, and what the inputs are not known to.
 
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::{Answer, solve};
@@ -7,7 +7,7 @@ use crate::answer::{input_doubt::InputQuery, results::InputDoubt};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::{Geometry, Impact, Scenario};
-use crate::tui::{idle, request::TaskQuestion, worker::run_watched};
+use crate::tui::{request::TaskQuestion, worker::idle_pool, worker::run_watched};
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -40,8 +40,7 @@ impl TaskQuestion for Simulate {
     }
 }
 
-/// What tells at once how a blow may end that takes the eye in three dimensions: the same straight
-/// on. None where another eye is quick enough.
+/// The same blow straight on, where the eye in three dimensions takes long to answer.
 pub fn first_estimate(scenario: &Scenario) -> Option<Scenario> {
     let mut first = scenario.clone();
     first.numerics.geometry = Geometry::Auto;
@@ -82,8 +81,7 @@ impl Complete {
 }
 
 impl Completion {
-    /// Takes it into its answer. Each part only widens the ranges of the risks: an error is added,
-    /// and a spread in quadrature.
+    /// Takes it into its answer, whose ranges it only widens: by an error, and in quadrature.
     pub fn put(self, answer: &mut Answer) {
         if let Some(mesh) = self.mesh.filter(|_| answer.errors.mesh.is_none()) {
             answer.add(mesh);
@@ -113,11 +111,9 @@ impl TaskQuestion for Complete {
         show(parts.clone());
         let mut second = |share: f64| watch(0.5 + 0.5 * share);
         let inputs = run_watched(&mut second, &mut |()| {}, |stop, progress| {
-            let told = |share| {
-                // `stop` tells it to end.
-                let _ = progress.report(share, || ());
-            };
-            idle::pool().install(|| self.inputs.estimate(scenario, stop, told))
+            // `stop` tells it to end.
+            let told = |share| _ = progress.report(share, || ());
+            idle_pool().install(|| self.inputs.estimate(scenario, stop, told))
         });
         parts.inputs = Some(inputs?);
         Ok(parts)
@@ -128,8 +124,7 @@ impl TaskQuestion for Complete {
     }
 }
 
-/// Whether two scenarios have one answer: neither a title nor the doubt in an input changes a
-/// single run.
+/// Whether two scenarios have one answer, which neither a title nor a doubt changes.
 pub(super) fn is_alike(a: &Scenario, b: &Scenario) -> bool {
     let same = Scenario { name: b.name.clone(), doubt: b.doubt.clone(), ..a.clone() };
     same == *b

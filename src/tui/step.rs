@@ -1,6 +1,6 @@
-//! A step of a value, of a cursor or of time.
+//! A step of a value, of a cursor or of time: up or down, small or large.
 
-/// A step up or down, small or large.
+/// A step up or down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
     /// Up, not down.
@@ -11,21 +11,17 @@ pub struct Step {
 
 impl Step {
     /// A small step down.
-    pub const LESS: Self = Self::new(false, false);
+    pub const LESS: Self = Self { up: false, coarse: false };
     /// A small step up.
-    pub const MORE: Self = Self::new(true, false);
+    pub const MORE: Self = Self { up: true, coarse: false };
     /// A large step down.
-    pub const MUCH_LESS: Self = Self::new(false, true);
+    pub const MUCH_LESS: Self = Self { up: false, coarse: true };
     /// A large step up.
-    pub const MUCH_MORE: Self = Self::new(true, true);
-
-    const fn new(up: bool, coarse: bool) -> Self {
-        Self { up, coarse }
-    }
+    pub const MUCH_MORE: Self = Self { up: true, coarse: true };
 
     /// A step of this size in the other direction.
     #[must_use]
     pub fn reversed(self) -> Self {
-        Self::new(!self.up, self.coarse)
+        Self { up: !self.up, ..self }
     }
 }

@@ -1,9 +1,8 @@
 //! Work for another thread: what was asked, how far it is, and why it gave nothing.
 //!
 //! Whoever needs such work says what its [`TaskQuestion`] is and keeps a [`Task`]. The question
-//! goes out as a [`Request`] with a ticket, a worker answers it, and the report comes back to
-//! whoever holds the ticket: what there is so far, and what came of it in the end. A report on
-//! work that was given up finds nobody and is dropped.
+//! goes out as a [`Request`] with a ticket, and reports come back to whoever holds the ticket. One
+//! on work that was given up finds nobody and is dropped.
 
 use std::sync::Arc;
 
@@ -71,8 +70,7 @@ impl<Q: TaskQuestion> Task<Q> {
     }
 
     /// Takes the report if it is of what is under way; gives what there is of the answer: so far,
-    /// while a job is there still, else in the end. Why something was refused is kept as the
-    /// complaint.
+    /// while a job is there still, else in the end. A refusal is kept as the complaint.
     pub fn take_report(
         &mut self,
         report: &mut Option<Report>,

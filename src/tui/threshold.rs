@@ -1,7 +1,6 @@
 //! A question put to a number of the form: at which value of it a result reaches what is asked.
 //!
-//! It stands in front of the screen while it is answered in the background, and its answer can be
-//! taken into the form. Left out: a range of one's own, which `contrecoup threshold` takes.
+//! Left out: a range of one's own, which `contrecoup threshold` takes.
 
 use std::sync::Arc;
 
@@ -23,10 +22,8 @@ impl request::TaskQuestion for FindThreshold {
 
     fn answer(&self, watch: Watch) -> Result<Threshold, Refusal> {
         run_watched(watch, &mut |()| {}, |stop, progress| {
-            self.0.answer(stop, |share| {
-                // `stop` tells it to end.
-                let _ = progress.report(share, || ());
-            })
+            // `stop` tells it to end.
+            self.0.answer(stop, |share| _ = progress.report(share, || ()))
         })
     }
 }
@@ -37,7 +34,7 @@ pub struct Asking {
     pub field: &'static Field,
     /// The result, and all that the answer on show has.
     pub quantity: Quantity,
-    pub(super) results: Vec<(Quantity, f64)>,
+    results: Vec<(Quantity, f64)>,
     /// The value that it is to reach, as typed.
     pub input: TextLine,
     /// What is being looked for.
@@ -53,11 +50,11 @@ pub struct Asking {
 impl Asking {
     pub(super) fn of(field: &'static Field, shown: &ShownAnswer) -> Option<Self> {
         let values = shown.answer.results();
-        let results: Vec<(Quantity, f64)> = Quantity::ALL
-            .iter()
-            .filter_map(|quantity| Some((*quantity, values[*quantity]?)))
-            .collect();
-        let (quantity, _) = *results.first()?;
+        let all = Quantity::ALL.iter().copied();
+        let results: Vec<_> = all.filter_map(|of| Some((of, values[of]?))).collect();
+        let rupture = Injury::GlobeRupture.result();
+        let first = results.iter().find(|(of, _)| *of == rupture).or(results.first());
+        let (quantity, value) = *first?;
         let mut asking = Self {
             field,
             quantity,
@@ -68,23 +65,39 @@ impl Asking {
             row: 0,
             error: None,
         };
-        let there = |quantity: &Quantity| asking.results.iter().any(|(other, _)| other == quantity);
-        let rupture = Some(Injury::GlobeRupture.result()).filter(there);
-        asking.choose(rupture.unwrap_or(quantity));
+        asking.choose((quantity, value));
         Some(asking)
     }
 
     /// Asks for another result, for half of it or for what it is now.
-    pub(super) fn choose(&mut self, quantity: Quantity) {
+    fn choose(&mut self, (quantity, value): (Quantity, f64)) {
         self.quantity = quantity;
-        let now = self.results.iter().find(|(other, _)| *other == quantity);
-        let risk = quantity.row().whole.is_some();
-        let target = match now {
-            Some((_, value)) if !risk => *value,
-            _ => HALF,
-        };
-        self.input = TextLine::of(brief(target));
+        let is_risk = quantity.row().whole.is_some();
+        self.input = TextLine::of(brief(if is_risk { HALF } else { value }));
         self.forget();
+    }
+
+    /// Asks for the next result of the answer on show, or for the one before.
+    pub(super) fn next_result(&mut self, forward: bool) {
+        let count = self.results.len();
+        let here = self.results.iter().position(|(of, _)| *of == self.quantity);
+        let by = if forward { 1 } else { count - 1 };
+        self.choose(self.results[(here.unwrap_or(0) + by) % count]);
+    }
+
+    /// Goes to the next crossing.
+    pub(super) fn next_crossing(&mut self) {
+        let count = self.found.as_ref().map_or(0, |(_, found)| found.crossings.len());
+        self.row = (self.row + 1) % count.max(1);
+    }
+
+    /// Changes the value that is asked for.
+    pub(super) fn retype(&mut self, change: impl FnOnce(&mut TextLine)) {
+        let before = self.input.value().to_owned();
+        change(&mut self.input);
+        if self.input.value() != before {
+            self.forget();
+        }
     }
 
     /// What was found is no answer to what is asked now.

@@ -1,7 +1,6 @@
 //! What was there before, and what was there before it was taken back.
 //!
-//! Steps on one field in quick succession count as one change, so that holding an arrow key down
-//! is undone by one press.
+//! Quick steps on one field count as one change, so that one press undoes a held arrow key.
 
 use std::time::Duration;
 
@@ -11,22 +10,15 @@ const ONE_CHANGE: Duration = Duration::from_millis(800);
 const MAX_CHANGES: usize = 200;
 
 /// The past and the undone future of some state.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct History<T> {
     past: Vec<T>,
     future: Vec<T>,
     last: Option<(&'static str, Duration)>,
 }
 
-impl<T> Default for History<T> {
-    fn default() -> Self {
-        Self { past: Vec::new(), future: Vec::new(), last: None }
-    }
-}
-
 impl<T> History<T> {
-    /// `before` is about to be changed; `what` names the thing that changes, empty if this change
-    /// stands for itself.
+    /// `before` is about to change in `what`, empty if this change stands for itself.
     pub fn record(&mut self, before: T, what: &'static str, now: Duration) {
         self.future.clear();
         let same = self.last.is_some_and(|(last, at)| {
@@ -41,34 +33,16 @@ impl<T> History<T> {
         }
     }
 
-    /// Takes the last change back: gives what was there before it.
-    ///
-    /// # Errors
-    /// Gives the present back where there is nothing to undo.
-    pub fn undo(&mut self, present: T) -> Result<T, T> {
-        Self::swap(&mut self.past, &mut self.future, &mut self.last, present)
-    }
-
-    /// Makes the last undone change again.
-    ///
-    /// # Errors
-    /// Gives the present back where there is nothing to redo.
-    pub fn redo(&mut self, present: T) -> Result<T, T> {
-        Self::swap(&mut self.future, &mut self.past, &mut self.last, present)
-    }
-
-    fn swap(
-        from: &mut Vec<T>,
-        to: &mut Vec<T>,
-        last: &mut Option<(&'static str, Duration)>,
-        present: T,
-    ) -> Result<T, T> {
-        let Some(other) = from.pop() else {
-            return Err(present);
-        };
-        *last = None;
+    /// Takes the last change back, or makes it again: gives what was there, if there is one.
+    pub fn travel(&mut self, back: bool, present: T) -> Option<T> {
+        let (mut from, mut to) = (&mut self.past, &mut self.future);
+        if !back {
+            (from, to) = (to, from);
+        }
+        let other = from.pop()?;
         to.push(present);
-        Ok(other)
+        self.last = None;
+        Some(other)
     }
 
     /// Changes everything that is remembered. What comes next stands for itself.
@@ -89,26 +63,22 @@ mod tests {
 
     const SOON: Duration = Duration::from_millis(100);
 
-    #[test]
-    fn changes_are_undone_and_redone_in_order() {
+    /// A past of so many changes, the next of which finds this number.
+    fn changed(times: i32) -> History<i32> {
         let mut history = History::default();
-        history.record(1, "", SOON);
-        history.record(2, "", SOON);
-        assert_eq!(history.undo(3), Ok(2));
-        assert_eq!(history.undo(2), Ok(1));
-        assert_eq!(history.undo(1), Err(1));
-        assert_eq!(history.redo(1), Ok(2));
-        assert_eq!(history.redo(2), Ok(3));
-        assert_eq!(history.redo(3), Err(3));
+        (0..times).for_each(|i| history.record(i, "", SOON));
+        history
     }
 
     #[test]
-    fn a_new_change_forgets_the_undone_ones() {
-        let mut history = History::default();
+    fn changes_are_undone_and_redone_in_order_and_a_new_one_forgets_the_undone() {
+        let mut history = changed(2);
+        let mut went = |back, present| history.travel(back, present);
+        assert_eq!([went(true, 2), went(true, 1), went(true, 0)], [Some(1), Some(0), None]);
+        assert_eq!([went(false, 0), went(false, 1), went(false, 2)], [Some(1), Some(2), None]);
+        assert_eq!(history.travel(true, 2), Some(1));
         history.record(1, "", SOON);
-        assert_eq!(history.undo(2), Ok(1));
-        history.record(1, "", SOON);
-        assert_eq!(history.redo(9), Err(9));
+        assert_eq!(history.travel(false, 9), None);
     }
 
     #[test]
@@ -121,17 +91,12 @@ mod tests {
         history.record(10, "force", Duration::from_secs(60));
         history.record(11, "angle", Duration::from_secs(60));
         assert_eq!(history.depth().0, 3);
-        assert_eq!(history.undo(12), Ok(11));
-        assert_eq!(history.undo(11), Ok(10));
-        assert_eq!(history.undo(10), Ok(0));
+        let undone = [12, 11, 10].map(|present| history.travel(true, present));
+        assert_eq!(undone, [Some(11), Some(10), Some(0)]);
     }
 
     #[test]
     fn the_past_is_bounded() {
-        let mut history = History::default();
-        for i in 0..1000 {
-            history.record(i, "", SOON);
-        }
-        assert_eq!(history.depth().0, MAX_CHANGES);
+        assert_eq!(changed(1000).depth().0, MAX_CHANGES);
     }
 }

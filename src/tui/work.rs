@@ -3,7 +3,7 @@
 use crate::scenario::Scenario;
 
 /// What is being worked on.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Work {
     /// What the form shows, edits and all.
     pub scenario: Scenario,

@@ -1,16 +1,15 @@
-//! A thread that works while the app stays awake.
-//!
-//! It does one request and holds at most one more; a newer request takes the place of the held one
-//! and stops the running one.
+//! A thread that works while the app stays awake: on the newest request, which stops older ones.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{io, thread};
 
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
 use crate::run::{threads, watch::Watch};
-use crate::tui::idle;
 use crate::tui::request::{Report, Request, Ticket};
 
 /// Progress is reported this often at most, and not at all by runs that are shorter.
@@ -19,101 +18,91 @@ const REPORT_EVERY: Duration = Duration::from_millis(150);
 const LOOK_EVERY: Duration = Duration::from_millis(4);
 const SHOW_EVERY: Duration = Duration::from_millis(250);
 
-#[derive(Default)]
-struct Slot {
-    request: Option<Request>,
-    closed: bool,
-}
-
-#[derive(Default)]
-struct Shared {
-    slot: Mutex<Slot>,
-    filled: Condvar,
+/// A thread that works on the newest of the requests that wait for it.
+pub struct Worker {
+    requests: Sender<Request>,
     /// Requests with a lower ticket must stop.
-    wanted: AtomicU64,
+    wanted: Arc<AtomicU64>,
 }
-
-/// A thread with room for one running and one pending request.
-pub struct Worker(Arc<Shared>);
 
 impl Worker {
     /// Starts the thread; `say` is called on it. A request that takes longer than `limit` is
     /// stopped. One that `is_idle` gives way to all other work of the machine.
-    ///
-    /// # Errors
-    /// Where no thread can start.
     pub fn start(
         limit: Option<Duration>,
         is_idle: bool,
         say: impl Fn(Report) + Send + 'static,
     ) -> io::Result<Self> {
-        let shared = Arc::new(Shared::default());
-        let own = Arc::clone(&shared);
+        let (requests, waiting) = channel::<Request>();
+        let wanted = Arc::new(AtomicU64::new(0));
+        let own = Arc::clone(&wanted);
         threads::start(move || {
             if is_idle {
-                idle::give_way();
+                give_way();
             }
-            work(&own, limit, &say);
+            while let Ok(request) = waiting.recv() {
+                let request = waiting.try_iter().last().unwrap_or(request);
+                let begun = Instant::now();
+                let mut reported = begun;
+                let mut watch = |share| {
+                    let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
+                    if is_over || own.load(Ordering::Relaxed) > request.ticket {
+                        return ControlFlow::Break(());
+                    }
+                    if reported.elapsed() >= REPORT_EVERY {
+                        reported = Instant::now();
+                        say(Report::progress(request.ticket, share, begun.elapsed()));
+                    }
+                    ControlFlow::Continue(())
+                };
+                say(request.answered(&mut watch, &say));
+            }
         })?;
-        Ok(Self(shared))
+        Ok(Self { requests, wanted })
     }
 
     /// Hands in a request. Tickets must rise.
     pub fn submit(&self, request: Request) {
-        self.0.wanted.store(request.ticket, Ordering::Relaxed);
-        self.lock().request = Some(request);
-        self.0.filled.notify_one();
+        self.wanted.store(request.ticket, Ordering::Relaxed);
+        // The thread waits as long as there is somebody who hands in.
+        let _ = self.requests.send(request);
     }
 
-    /// Stops the request of this ticket, if it is the last that was handed in; earlier ones have
-    /// stopped already.
+    /// Stops the request of this ticket, if it is the last: earlier ones have stopped already.
     pub fn cancel(&self, ticket: Ticket) {
-        let wanted = &self.0.wanted;
-        let _ = wanted.compare_exchange(ticket, ticket + 1, Ordering::Relaxed, Ordering::Relaxed);
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, Slot> {
-        self.0.slot.lock().unwrap_or_else(PoisonError::into_inner)
+        let relaxed = Ordering::Relaxed;
+        let _ = self.wanted.compare_exchange(ticket, ticket + 1, relaxed, relaxed);
     }
 }
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        self.0.wanted.store(u64::MAX, Ordering::Relaxed);
-        self.lock().closed = true;
-        self.0.filled.notify_one();
+        self.wanted.store(u64::MAX, Ordering::Relaxed);
     }
 }
 
-fn work(shared: &Shared, limit: Option<Duration>, say: &impl Fn(Report)) {
-    loop {
-        let mut slot = shared.slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let request = loop {
-            if slot.closed {
-                return;
-            }
-            if let Some(request) = slot.request.take() {
-                break request;
-            }
-            slot = shared.filled.wait(slot).unwrap_or_else(PoisonError::into_inner);
-        };
-        drop(slot);
-        let begun = Instant::now();
-        let mut reported = begun;
-        let mut watch = |share| {
-            let is_over = limit.is_some_and(|limit| begun.elapsed() >= limit);
-            if is_over || shared.wanted.load(Ordering::Relaxed) > request.ticket {
-                return ControlFlow::Break(());
-            }
-            if reported.elapsed() >= REPORT_EVERY {
-                reported = Instant::now();
-                say(Report::progress(request.ticket, share, begun.elapsed()));
-            }
-            ControlFlow::Continue(())
-        };
-        let outcome = request.answered(&mut watch, say);
-        say(outcome);
-    }
+/// How much nicer such a thread is: it gets a tenth of a core that somebody else wants.
+#[cfg(target_os = "linux")]
+const NICE: i32 = 10;
+
+/// Lowers the priority of the calling thread, for good.
+#[cfg(target_os = "linux")]
+fn give_way() {
+    // Linux keeps a priority for each thread; where it refuses, the work is only less polite.
+    let _ = rustix::process::nice(NICE);
+}
+
+/// Elsewhere the priority is that of the whole process.
+#[cfg(not(target_os = "linux"))]
+fn give_way() {}
+
+/// As many threads that give way to all other work as there are cores, begun when first asked for.
+pub fn idle_pool() -> &'static ThreadPool {
+    static POOL: LazyLock<ThreadPool> = LazyLock::new(|| {
+        let pool = ThreadPoolBuilder::new().start_handler(|_| give_way());
+        pool.build().expect("threads")
+    });
+    &POOL
 }
 
 /// How far work on several threads is, and what there is of its answer so far.
@@ -133,14 +122,13 @@ impl<T> SharedProgress<T> {
         ControlFlow::Continue(())
     }
 
-    fn lock_so_far(&self) -> std::sync::MutexGuard<'_, Option<T>> {
+    fn lock_so_far(&self) -> MutexGuard<'_, Option<T>> {
         self.so_far.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// Does work that may be told to stop and says how far it is, on another thread, under the eyes of
-/// a watch that must stay on this one and shows what there is so far. What is stopped gives what
-/// it has.
+/// Does work on another thread that may be told to stop, while the watch, which must stay on this
+/// one, is told how far it is and shown what there is. What is stopped gives what it has.
 pub fn run_watched<T: Send, S: Send>(
     watch: Watch,
     show: &mut dyn FnMut(S),
@@ -178,13 +166,13 @@ mod tests {
     use crate::run::refusal::Refusal;
     use crate::scenario::Scenario;
     use crate::tui::{request::News, simulation::Simulate};
-    use std::sync::mpsc::{Receiver, channel};
+    use std::sync::mpsc::Receiver;
 
     const PATIENCE: Duration = Duration::from_secs(30);
 
-    fn worker() -> (Worker, Receiver<Report>) {
+    fn worker(limit: Option<Duration>) -> (Worker, Receiver<Report>) {
         let (say, reports) = channel();
-        let worker = Worker::start(None, false, move |report| {
+        let worker = Worker::start(limit, false, move |report| {
             let _ = say.send(report);
         });
         (worker.unwrap(), reports)
@@ -211,7 +199,7 @@ mod tests {
 
     #[test]
     fn a_newer_request_stops_the_running_one_and_replaces_the_pending_one() {
-        let (worker, reports) = worker();
+        let (worker, reports) = worker(None);
         submit(&worker, 1, long());
         // Progress shows that the first is running.
         let first = reports.recv_timeout(PATIENCE).unwrap();
@@ -233,39 +221,39 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_request_ends_and_the_worker_goes_on() {
-        let (worker, reports) = worker();
-        submit(&worker, 5, long());
-        // That is another worker's.
-        worker.cancel(9);
-        let first = reports.recv_timeout(PATIENCE).unwrap();
-        assert!(matches!(first.news, News::Share(..)));
-        worker.cancel(5);
-        assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
-        submit(&worker, 6, Scenario::default());
-        assert!(done(&reports).1.is_ok());
-    }
-
-    #[test]
-    fn what_takes_longer_than_the_limit_is_stopped() {
-        let (say, reports) = channel();
-        let worker = Worker::start(Some(Duration::from_millis(300)), false, move |report| {
-            let _ = say.send(report);
-        });
-        let worker = worker.unwrap();
-        submit(&worker, 1, long());
-        assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
-        submit(&worker, 2, Scenario::default());
-        assert!(done(&reports).1.is_ok());
+    fn what_is_cancelled_or_takes_longer_than_the_limit_ends_and_the_worker_goes_on() {
+        for limit in [None, Some(Duration::from_millis(300))] {
+            let (worker, reports) = worker(limit);
+            submit(&worker, 5, long());
+            // That is another worker's.
+            worker.cancel(9);
+            let first = reports.recv_timeout(PATIENCE).unwrap();
+            assert!(matches!(first.news, News::Share(..)));
+            if limit.is_none() {
+                worker.cancel(5);
+            }
+            assert_eq!(done(&reports).1.unwrap_err(), Refusal::Cancelled);
+            submit(&worker, 6, Scenario::default());
+            assert!(done(&reports).1.is_ok());
+        }
     }
 
     #[test]
     fn dropping_the_worker_stops_its_request() {
-        let (worker, reports) = worker();
+        let (worker, reports) = worker(None);
         submit(&worker, 1, long());
         drop(worker);
         let begun = Instant::now();
         while reports.recv_timeout(PATIENCE).is_ok() {}
         assert!(begun.elapsed() < PATIENCE);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn idle_threads_give_way_and_the_others_keep_their_priority() {
+        let before = rustix::process::getpriority_process(None).unwrap();
+        let there = idle_pool().install(|| rustix::process::getpriority_process(None)).unwrap();
+        assert!(there > before || before == 19, "{there} {before}");
+        assert_eq!(rustix::process::getpriority_process(None).unwrap(), before);
     }
 }

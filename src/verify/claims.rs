@@ -5,21 +5,20 @@
 //! an object that goes through the eye. The finest mesh, with which mesh errors and tolerances are
 //! compared, is not the limit itself: it may be off by what fine levels scatter by.
 
-use crate::answer::choose::{Ladder, within_by};
+use crate::answer::choose::{Ladder, within};
 use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::{results::Results, solve::solve};
 use crate::many::statistics::median;
 use crate::run::watch::unwatched;
 use crate::run::{flags::FlagKind, kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal};
-use crate::scenario::{CheckedScenario, FINEST_LEVEL, FINEST_SPATIAL_LEVEL, Scenario};
+use crate::scenario::{FINEST_LEVEL, FINEST_SPATIAL_LEVEL, Scenario};
 use crate::verify::scenes::{MAX_SCENES, Scenes};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// The finest level whose mesh errors can be checked: their witnesses are coarser than the
-/// reference.
+/// The finest level that can be checked: its witnesses are coarser than the reference.
 pub const FINEST_CHECKED: u32 = 5;
 /// A balance of energy that is off by more than this many percent must be flagged.
 const BALANCE_PERCENT: f64 = 0.5;
@@ -49,8 +48,8 @@ pub enum Subject {
 impl Serialize for Subject {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Result(quantity) => to.serialize_str(quantity.key()),
-            Self::Tolerance(percent) => to.serialize_str(&format!("tolerance_{percent}_percent")),
+            Self::Result(quantity) => quantity.key().serialize(to),
+            Self::Tolerance(percent) => format!("tolerance_{percent}_percent").serialize(to),
         }
     }
 }
@@ -66,15 +65,13 @@ pub struct Claim {
     /// The true error, in %; none where there is no answer.
     #[serde(rename = "true_percent")]
     pub truth: Option<f64>,
-    /// Of a tolerance: elements that were computed for the answer, over those of one run at level
-    /// 1.
+    /// Of a tolerance: elements computed for the answer, over those of a run at level 1.
     #[serde(rename = "cost_over_level_1")]
     pub cost: Option<f64>,
 }
 
 impl Claim {
-    /// Whether something was claimed that is not true. A true error that is no number keeps no
-    /// promise.
+    /// Whether a claim is not true. A true error that is no number keeps no promise.
     fn fails(&self) -> bool {
         let both = self.claimed.zip(self.truth);
         both.is_some_and(|(claimed, truth)| truth.is_nan() || truth > claimed)
@@ -105,8 +102,7 @@ pub struct Checked {
     /// Number of the scene.
     #[serde(rename = "scene")]
     pub index: u32,
-    /// The claims about it; none where the mesh folds, the object goes through or no number is
-    /// left.
+    /// The claims about it; none where a mesh folds, the object goes through or no number is left.
     pub claims: Option<Vec<Claim>>,
     /// What is wrong with it.
     pub faults: Vec<Fault>,
@@ -165,20 +161,22 @@ pub fn check(
     watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
 ) -> Result<Findings, Refusal> {
     let done = AtomicU32::new(0);
+    let reference = study.reference_level();
     let check_one = |index| {
         let scene = study.scenes().scene(index, seed);
         let mut faults = Vec::new();
-        let claims = match study.claims(&scene, &mut faults) {
-            Err(Refusal::WentThrough(_)) => {
-                faults.push(Fault::WentThrough);
-                None
-            }
-            Err(Refusal::NotFinite { .. }) => {
-                faults.push(Fault::NotFinite);
-                None
-            }
-            claims => claims?,
+        let claims = match study {
+            Study::Steps(scenes) => step_errors(&scene, scenes.fineness(), &mut faults),
+            Study::Meshes(_, level) => mesh_errors(&scene, level, reference, &mut faults),
+            Study::Tolerances => tolerances(&scene, reference),
         };
+        let fault = match claims {
+            Err(Refusal::WentThrough(_)) => Some(Fault::WentThrough),
+            Err(Refusal::NotFinite { .. }) => Some(Fault::NotFinite),
+            _ => None,
+        };
+        let claims = if fault.is_some() { None } else { claims? };
+        faults.extend(fault);
         let counts = claims.is_some() || matches!(study, Study::Steps(_));
         let done = done.fetch_add(counts.into(), Ordering::Relaxed) + u32::from(counts);
         match watch(f64::from(done) / f64::from(count)) {
@@ -187,8 +185,8 @@ pub fn check(
         }
     };
     let mut scenes: Vec<Checked> = Vec::new();
-    let mut next = 0;
     loop {
+        let next = scenes.len() as u32;
         // Never more than are missing, so that none is computed in vain.
         let end = MAX_SCENES.min(next + count - done.load(Ordering::Relaxed));
         if end == next {
@@ -196,7 +194,6 @@ pub fn check(
         }
         let block: Result<Vec<_>, _> = (next..end).into_par_iter().map(check_one).collect();
         scenes.extend(block?);
-        next = end;
     }
 }
 
@@ -209,13 +206,6 @@ impl Study {
         }
     }
 
-    fn subjects(self) -> Vec<Subject> {
-        match self {
-            Self::Tolerances => TOLERANCES.map(Subject::Tolerance).to_vec(),
-            _ => Quantity::ALL.iter().copied().map(Subject::Result).collect(),
-        }
-    }
-
     /// The level that mesh errors and tolerances are compared with: one that no witness has.
     pub fn reference_level(self) -> u32 {
         match self.scenes() {
@@ -223,38 +213,21 @@ impl Study {
             Scenes::Pulses | Scenes::Objects => FINEST_LEVEL,
         }
     }
-
-    /// The claims about one scene; none where nothing is promised.
-    fn claims(
-        self,
-        scene: &Scenario,
-        faults: &mut Vec<Fault>,
-    ) -> Result<Option<Vec<Claim>>, Refusal> {
-        let reference = self.reference_level();
-        match self {
-            Self::Steps(scenes) => step_errors(scene, scenes.fineness(), faults),
-            Self::Meshes(_, level) => mesh_errors(scene, level, reference, faults),
-            Self::Tolerances => tolerances(&scene.check()?, reference),
-        }
-    }
 }
+
+/// The claims about one scene; none where nothing is promised.
+type Claims = Result<Option<Vec<Claim>>, Refusal>;
 
 /// The claim about each result that has a true error.
 fn about_results(claimed: &Results, truth: &Results) -> Vec<Claim> {
-    let claim = |(quantity, truth)| Claim {
-        subject: Subject::Result(quantity),
-        claimed: claimed[quantity],
-        truth: Some(truth),
-        cost: None,
+    let claim = |(of, truth)| {
+        let subject = Subject::Result(of);
+        Claim { subject, claimed: claimed[of], truth: Some(truth), cost: None }
     };
     truth.present().map(claim).collect()
 }
 
-fn step_errors(
-    scene: &Scenario,
-    fineness: f64,
-    faults: &mut Vec<Fault>,
-) -> Result<Option<Vec<Claim>>, Refusal> {
+fn step_errors(scene: &Scenario, fineness: f64, faults: &mut Vec<Fault>) -> Claims {
     let answer = solve(&scene.check()?, Keep::default(), &mut unwatched)?;
     let has = |kind| answer.flags.iter().any(|flag| flag.kind == kind);
     if answer.errors.energy_balance > BALANCE_PERCENT && !has(FlagKind::EnergyImbalance) {
@@ -278,12 +251,7 @@ fn step_errors(
     Ok(Some(about_results(&answer.errors.time_step, &truth)))
 }
 
-fn mesh_errors(
-    scene: &Scenario,
-    level: u32,
-    reference: u32,
-    faults: &mut Vec<Fault>,
-) -> Result<Option<Vec<Claim>>, Refusal> {
+fn mesh_errors(scene: &Scenario, level: u32, reference: u32, faults: &mut Vec<Fault>) -> Claims {
     let [coarser, finer] = witnesses(scene, level);
     let mut found: Vec<OnMesh> = Vec::with_capacity(4);
     // The cheap ones first: where one folds the finest mesh need not be moved.
@@ -302,7 +270,8 @@ fn mesh_errors(
 }
 
 /// A claim for each tolerance. No answer rests on the reference level.
-fn tolerances(scene: &CheckedScenario, reference: u32) -> Result<Option<Vec<Claim>>, Refusal> {
+fn tolerances(scene: &Scenario, reference: u32) -> Claims {
+    let scene = &scene.check()?;
     let mut ladder = Ladder::default();
     let [_, finer] = witnesses(scene, 1);
     for level in 1..=finer {
@@ -312,40 +281,32 @@ fn tolerances(scene: &CheckedScenario, reference: u32) -> Result<Option<Vec<Clai
     }
     let reference = at_level(scene, reference, &mut unwatched)?;
     let damage = reference.results[Quantity::Damage];
-    let Some(exact) = damage.filter(|_| reference.folded.is_none()) else {
-        return Ok(None);
-    };
+    let Some(exact) = damage.filter(|_| reference.folded.is_none()) else { return Ok(None) };
     let mut claim = |percent| {
-        let keep = Keep::default();
-        let answered = within_by(&mut ladder, scene, percent, keep, &mut unwatched);
+        let answered = within(&mut ladder, scene, percent, &mut unwatched);
         let refused = matches!(answered, Err(Refusal::ToleranceNotMet { .. }));
         let chosen = if refused { None } else { Some(answered?) };
         let truth = chosen.as_ref().map(|chosen| {
             let damage = chosen.answer.index().damage();
             100.0 * (damage - exact).abs() / damage.abs()
         });
-        Ok(Claim {
-            subject: Subject::Tolerance(percent),
-            claimed: truth.map(|_| percent),
-            truth,
-            cost: chosen.map(|chosen| chosen.elements / ladder.elements(1)),
-        })
+        let cost = chosen.map(|chosen| chosen.elements / ladder.elements(1));
+        let subject = Subject::Tolerance(percent);
+        Ok(Claim { subject, claimed: truth.map(|_| percent), truth, cost })
     };
-    let claims: Result<_, Refusal> = TOLERANCES.into_iter().map(&mut claim).collect();
-    claims.map(Some)
+    TOLERANCES.into_iter().map(&mut claim).collect::<Result<_, _>>().map(Some)
 }
 
 impl Findings {
     /// The scenes that promise nothing.
     pub fn folded(&self) -> Vec<u32> {
-        let folded = self.scenes.iter().filter(|scene| scene.claims.is_none());
-        folded.map(|scene| scene.index).collect()
+        let folded = |scene: &Checked| scene.claims.is_none().then_some(scene.index);
+        self.scenes.iter().filter_map(folded).collect()
     }
 
     /// How many scenes have a fault.
     pub fn count(&self, fault: Fault) -> usize {
-        let has = |scene: &&Checked| scene.faults.contains(&fault);
-        self.scenes.iter().filter(has).count()
+        self.scenes.iter().filter(|scene| scene.faults.contains(&fault)).count()
     }
 
     /// Every claim with its scene, result by result or tolerance by tolerance.
@@ -358,7 +319,10 @@ impl Findings {
             let about = claims.filter(|(_, claim)| claim.subject == subject);
             (subject, about.collect())
         };
-        self.study.subjects().into_iter().map(of).collect()
+        match self.study {
+            Study::Tolerances => TOLERANCES.map(Subject::Tolerance).map(of).to_vec(),
+            _ => Quantity::ALL.iter().copied().map(Subject::Result).map(of).collect(),
+        }
     }
 
     /// What the scenes showed for each subject that occurs.
@@ -399,16 +363,10 @@ mod tests {
 
     /// Scenes with a claim each about the same, of which the second folds.
     fn found(study: Study, subject: Subject, claims: [Option<(f64, f64)>; 5]) -> Findings {
-        let claim = |about: Option<(f64, f64)>| Claim {
-            subject,
-            claimed: about.map(|(claimed, _)| claimed),
-            truth: about.map(|(_, truth)| truth),
-            cost: about.map(|_| 3.0),
-        };
-        let scene = |(index, about)| Checked {
-            index,
-            claims: (index != 1).then(|| vec![claim(about)]),
-            faults: Vec::new(),
+        let scene = |(index, about): (u32, Option<(f64, f64)>)| {
+            let (claimed, truth) = about.unzip();
+            let claim = Claim { subject, claimed, truth, cost: about.map(|_| 3.0) };
+            Checked { index, claims: (index != 1).then(|| vec![claim]), faults: Vec::new() }
         };
         Findings { study, seed: 1, scenes: (0..).zip(claims).map(scene).collect() }
     }
@@ -422,7 +380,7 @@ mod tests {
         assert_eq!((row.subject, row.within), (subject, Some(50.0)));
         assert_eq!((row.claims, row.misses, row.without_claim), (4, 2, 0));
         assert_eq!(row.largest_truth, Some(2.0));
-        let missed: Vec<u32> = all.misses().iter().map(|(index, _)| *index).collect();
+        let (missed, _): (Vec<u32>, Vec<Claim>) = all.misses().into_iter().unzip();
         assert_eq!((missed, all.folded()), (vec![2, 4], vec![1]));
     }
 

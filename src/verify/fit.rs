@@ -10,11 +10,9 @@
 //!
 //! Left out: weights, and anything that was not fitted, which stays unseen here.
 
-use crate::run::{refusal::Refusal, watch::Watch};
-use crate::verify::experiments::MeasuredBand;
+use crate::verify::experiments::{Experiment, MeasuredBand};
 use crate::verify::rerun::{Rerun, fitted, rerun, with_fat};
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
 /// The field's path.
 pub const PATH: &str = "model.fat_bulk_mpa";
@@ -44,8 +42,7 @@ pub struct Tried {
 pub struct Fit {
     /// The best.
     pub best: Tried,
-    /// Least and greatest value whose misfit is within [`NEARLY`] of the least one; it need not
-    /// hold `best`.
+    /// Least and greatest value within [`NEARLY`] of the least misfit; it need not hold `best`.
     pub nearly: (f64, f64),
     /// All that were tried.
     pub tried: Vec<Tried>,
@@ -54,19 +51,9 @@ pub struct Fit {
 impl Tried {
     /// Runs the fitted experiments with a bulk modulus of fat, in `MPa`.
     pub fn run(mpa: f64) -> Self {
-        Self::of(mpa, rerun(fitted(), |scenario| with_fat(scenario, mpa)))
-    }
-
-    /// How well a modulus fits that gave these rows.
-    pub fn of(mpa: f64, rows: Vec<Rerun>) -> Self {
-        let misfit = |row: &Rerun| {
-            let measured = row.experiment.measured;
-            // What cannot be run does not fit.
-            let of = |value: &Result<f64, _>| {
-                value.as_ref().map_or(f64::INFINITY, |v| squared_misfit(measured, *v))
-            };
-            row.predicted.iter().map(of).sum::<f64>()
-        };
+        let rows = rerun(fitted(), |scenario| with_fat(scenario, mpa));
+        let each = |row: &Rerun| row.predicted.each_ref().map(|v| misfit_of(row.experiment, v));
+        let misfit = |row: &Rerun| each(row).iter().sum::<f64>();
         let inside = rows.iter().flat_map(Rerun::inside).filter(|inside| *inside);
         Self { mpa, misfit: rows.iter().map(misfit).sum(), inside: inside.count(), rows }
     }
@@ -77,50 +64,33 @@ impl Tried {
     }
 }
 
-/// Fits the free number; `watch` is told the share done.
-///
-/// # Errors
-/// [`Refusal::Cancelled`] if the watch stopped it.
-pub fn fit(watch: Watch) -> Result<Fit, Refusal> {
-    let grid: Vec<f64> = (1..=COUNT)
-        // To the digits that are printed: what is printed is what was run.
-        .map(|i| (f64::from(i) * STEP * 1e2).round() / 1e2)
-        .collect();
-    let mut all: Vec<Tried> = Vec::new();
+/// Fits the free number; `progress` is told the share done.
+pub fn fit(progress: impl Fn(f64)) -> Fit {
+    // To the digits that are printed: what is printed is what was run.
+    let grid: Vec<f64> = (1..=COUNT).map(|i| (f64::from(i) * STEP * 1e2).round() / 1e2).collect();
+    let mut tried: Vec<Tried> = Vec::new();
     for chunk in grid.chunks(rayon::current_num_threads().max(1)) {
-        all.par_extend(chunk.par_iter().map(|&mpa| Tried::run(mpa)));
-        if let ControlFlow::Break(()) = watch(all.len() as f64 / grid.len() as f64) {
-            return Err(Refusal::Cancelled);
-        }
+        tried.par_extend(chunk.par_iter().map(|&mpa| Tried::run(mpa)));
+        progress(tried.len() as f64 / grid.len() as f64);
     }
-    let mut best = all.first().ok_or(Refusal::Cancelled)?;
-    for other in &all {
-        if other.beats(best) {
-            best = other;
-        }
-    }
-    let least = all.iter().map(|t| t.misfit).fold(f64::INFINITY, f64::min);
-    let near = all.iter().filter(|t| t.misfit <= least + NEARLY);
-    let nearly = near.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), t| {
-        (low.min(t.mpa), high.max(t.mpa))
-    });
-    Ok(Fit { best: best.clone(), nearly, tried: all })
+    let best = tried.iter().fold(&tried[0], |best, t| if t.beats(best) { t } else { best });
+    let least = tried.iter().map(|t| t.misfit).fold(f64::INFINITY, f64::min);
+    let near = || tried.iter().filter(|t| t.misfit <= least + NEARLY).map(|t| t.mpa);
+    let nearly = (near().fold(f64::INFINITY, f64::min), near().fold(f64::NEG_INFINITY, f64::max));
+    Fit { best: best.clone(), nearly, tried }
 }
 
-/// Squared distance of `value` from what was measured, in standard deviations. Where a source
-/// gives none, a factor of 1.3 counts as one.
-pub(crate) fn squared_misfit(measured: MeasuredBand, value: f64) -> f64 {
+/// Squared distance of a figure from what was measured, in standard deviations. Where a source
+/// gives none, a factor of 1.3 counts as one; what cannot be run does not fit.
+pub(crate) fn misfit_of(experiment: &Experiment, value: &Result<f64, String>) -> f64 {
+    let (&Ok(value), measured) = (value, experiment.measured) else { return f64::INFINITY };
     let logs = |limit: f64| libm::log(value / limit) / libm::log(1.3f64);
+    let (low, high) = measured.limits();
     let z = match measured {
         MeasuredBand::Spread(mean, sd) => (value - mean) / sd,
         MeasuredBand::Single(single, _) => logs(single),
-        MeasuredBand::Between(..) | MeasuredBand::Below(_) | MeasuredBand::Above(_)
-            if measured.holds(value) =>
-        {
-            0.0
-        }
-        MeasuredBand::Between(low, high) => logs(if value < low { low } else { high }),
-        MeasuredBand::Below(limit) | MeasuredBand::Above(limit) => logs(limit),
+        _ if measured.holds(value) => 0.0,
+        _ => logs(if value < low { low } else { high }),
     };
     z * z
 }

@@ -5,23 +5,19 @@
 //! their difference from the answer is its true error; where they do not, nobody can tell, and an
 //! answer without a flag that says so is wrong.
 
-use crate::answer::solve::{Answer, solve_case};
-use crate::answer::{compiled::Compiled, results::Results};
-use crate::models::paper::case::PaperCase;
-use crate::models::pulse::Piece;
+use crate::answer::{compiled::Compiled, results::Results, solve::Answer, solve::solve_case};
+use crate::models::{paper::case::PaperCase, pulse::Piece};
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::{kept::Keep, model::EyeModel, plan::Plan, refusal::Refusal, watch::unwatched};
-use crate::scenario::{
-    CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape, Scenario,
-};
+use crate::scenario::Scenario;
+use crate::scenario::{CheckedScenario, EyeInput, ForcePulse, Impact, Integrator, PulseShape};
 use nalgebra::Vector2;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use strum::IntoStaticStr;
 
-/// A true error below this, in %, is accurate enough whatever was claimed, and references that
-/// differ by more are none.
+/// A true error below this, in %, is accurate enough; references that differ by more are none.
 const ACCURATE_PERCENT: f64 = 1.0;
 /// Speed at which two nodes are driven together, in m/s: fast enough to meet within a step or two.
 const DRIVEN_M_S: f64 = 1000.0;
@@ -31,20 +27,16 @@ const DRIVEN_M_S: f64 = 1000.0;
 pub struct HardCase {
     /// A few words.
     pub name: &'static str,
-    /// What it stresses.
-    pub stresses: &'static str,
+    stresses: &'static str,
     /// The scenario that is asked for.
     pub scenario: Scenario,
-    /// What is done to the eye before the blow.
-    pub start: Start,
-    /// How the truth is found.
-    pub references: References,
+    start: Start,
+    references: References,
 }
 
 /// What an eye starts from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Start {
-    /// Nothing is done: it lies at rest.
+#[derive(Debug, Clone, Copy)]
+enum Start {
     Rest,
     /// A node of the shell lies on its neighbour.
     OnOneSpot,
@@ -53,7 +45,7 @@ pub enum Start {
 }
 
 /// The integrators of the references, and how many times more steps each takes in every segment.
-pub type References = [(Integrator, f64); 2];
+type References = [(Integrator, f64); 2];
 
 /// Errors fall with the sixth and fourth power, so the first is off by less than a hundredth of
 /// any error that counts, and the second confirms it within 1 %.
@@ -62,30 +54,27 @@ const FINE: References = [(Integrator::Srkn11b, 3.0), (Integrator::Rk4, 8.0)];
 const LONG: References = [(Integrator::Srkn11b, 1.5), (Integrator::Rk4, 4.0)];
 
 /// The verdict on a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum CaseVerdict {
     /// No flag, and every listed result within its claimed step error or within 1 %.
     Accurate,
     /// The answer carries flags; numbers outside the claim are covered by one.
     Flagged,
     /// The answer says itself that it predicts nothing.
+    #[strum(serialize = "not predictable")]
     NotPredictable,
     /// There is no answer, but a reason.
     Refused,
     /// An error that nothing warned of, or a number that is none.
+    #[strum(serialize = "WRONG")]
     Wrong,
 }
 
 impl CaseVerdict {
     /// Name as printed and as used in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Accurate => "accurate",
-            Self::Flagged => "flagged",
-            Self::NotPredictable => "not predictable",
-            Self::Refused => "refused",
-            Self::Wrong => "WRONG",
-        }
+        self.into()
     }
 }
 
@@ -193,7 +182,6 @@ pub fn cases() -> Vec<HardCase> {
 }
 
 impl HardCase {
-    /// The case compiled, with its start.
     fn compiled(&self) -> Result<PaperCase, Refusal> {
         let mut case = PaperCase::new(&self.scenario.check()?);
         let marks = &case.eye.landmarks;
@@ -222,29 +210,25 @@ impl HardCase {
     /// Solves the case and its references and compares.
     pub fn run(&self) -> CaseOutcome {
         let solved = self.compiled().and_then(|case| {
-            solve_case(
-                Compiled::with(Arc::new(case), &self.scenario),
-                &self.scenario,
-                Keep::default(),
-                &mut unwatched,
-            )
+            let case = Compiled::with(Arc::new(case), &self.scenario);
+            solve_case(case, &self.scenario, Keep::default(), &mut unwatched)
         });
         let answer = match solved {
             Ok(answer) => answer,
-            Err(refusal) => {
-                return self.outcome(CaseVerdict::Refused, None, refusal.to_string());
-            }
+            Err(refusal) => return self.outcome(CaseVerdict::Refused, None, refusal.to_string()),
+        };
+        let reference = |(integrator, fineness): (Integrator, f64)| -> Result<_, Refusal> {
+            let multiple = fineness * answer.plan.multiple;
+            let plan = Plan { integrator, multiple, ..answer.plan };
+            Ok(answer.case.results(&answer.case.run(&plan, Keep::default(), &mut unwatched)?))
         };
         let [first, second] = self.references;
-        let (first, second) =
-            rayon::join(|| reference(&answer, first), || reference(&answer, second));
-        match (first, second) {
-            (Ok(first), Ok(second)) => self.judge(&answer, &first, &second),
-            (Err(refusal), _) | (_, Err(refusal)) => {
-                let note = format!("a reference failed: {refusal}");
-                self.outcome(CaseVerdict::Wrong, Some(&answer), note)
-            }
-        }
+        let (first, second) = rayon::join(|| reference(first), || reference(second));
+        let failed = |refusal: Refusal| {
+            let note = format!("a reference failed: {refusal}");
+            self.outcome(CaseVerdict::Wrong, Some(&answer), note)
+        };
+        first.and_then(|first| Ok(self.judge(&answer, &first, &second?))).unwrap_or_else(failed)
     }
 
     fn outcome(&self, verdict: CaseVerdict, answer: Option<&Answer>, note: String) -> CaseOutcome {
@@ -269,20 +253,18 @@ impl HardCase {
             return self.outcome(CaseVerdict::Wrong, Some(answer), note);
         }
         // In % of the answer, as claims are.
-        let between = second.apart_percent(first, &results);
+        let between = worst_error(&second.apart_percent(first, &results), &results);
         let truth = first.difference_percent(&results);
-        let between = worst_error(&between, &results);
         let known = between <= ACCURATE_PERCENT;
         let worst = truth
             .watched()
             .filter_map(|(quantity, truth)| Some((quantity, truth, claimed[quantity]?)))
-            .filter(|(of, truth, claimed)| {
-                truth > claimed && !results[*of].is_some_and(|value| of.is_rounding(value))
-            })
+            .filter(|(_, truth, claimed)| truth > claimed)
+            .filter(|(of, ..)| !results[*of].is_some_and(|value| of.is_rounding(value)))
             .max_by(|a, b| a.1.total_cmp(&b.1));
         let within = worst.is_none_or(|(_, truth, _)| truth <= ACCURATE_PERCENT);
         let unproven = !known || !within;
-        let verdict = if answer.flags.iter().any(of(FlagKind::NotPredictable)) {
+        let verdict = if answer.flags.iter().any(|flag| flag.kind == FlagKind::NotPredictable) {
             CaseVerdict::NotPredictable
         } else if unproven && !answer.flags.iter().any(doubts_numbers) {
             CaseVerdict::Wrong
@@ -310,42 +292,20 @@ fn worst_error(errors: &Results, results: &Results) -> f64 {
     errors.worst_listed(results).map_or(0.0, |(_, error)| error)
 }
 
-fn of(kind: FlagKind) -> impl Fn(&Flag) -> bool {
-    move |flag| flag.kind == kind
-}
-
 /// Whether a flag says that the numbers, and not only their meaning, are in doubt.
 fn doubts_numbers(flag: &Flag) -> bool {
-    matches!(
-        flag.kind,
-        FlagKind::MeshFolded
-            | FlagKind::NotPredictable
-            | FlagKind::Unconverged
-            | FlagKind::EnergyImbalance
-            | FlagKind::LostInRounding
-    )
+    use FlagKind as F;
+    [F::MeshFolded, F::Unconverged, F::EnergyImbalance, F::LostInRounding].contains(&flag.kind)
 }
 
-/// Results of the answer's case in `fineness` times as many steps of `integrator`.
-fn reference(
-    answer: &Answer,
-    (integrator, fineness): (Integrator, f64),
-) -> Result<Results, Refusal> {
-    let plan = Plan { integrator, multiple: fineness * answer.plan.multiple, ..answer.plan };
-    let solution = answer.case.run(&plan, Keep::default(), &mut unwatched)?;
-    Ok(answer.case.results(&solution))
-}
-
-/// Runs all cases on all cores, in their order; `watch` is told the share that is done. None is
-/// left out if it wants to stop.
-pub fn run(watch: &(dyn Fn(f64) -> ControlFlow<()> + Sync)) -> Vec<CaseOutcome> {
+/// Runs all cases on all cores, in their order; `progress` is told the share that is done.
+pub fn run(progress: &(dyn Fn(f64) + Sync)) -> Vec<CaseOutcome> {
     let cases = cases();
     let done = AtomicUsize::new(0);
-    let outcomes = cases.par_iter().with_max_len(1).map(|case| {
+    let outcome = |case: &HardCase| {
         let outcome = case.run();
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        let _ = watch(done as f64 / cases.len() as f64);
+        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / cases.len() as f64);
         outcome
-    });
-    outcomes.collect()
+    };
+    cases.par_iter().with_max_len(1).map(outcome).collect()
 }

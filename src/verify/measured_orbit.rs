@@ -8,10 +8,9 @@
 
 use crate::answer::compiled::Compiled;
 use crate::run::{kept::Keep, refusal::Refusal, watch::unwatched};
-use crate::scenario::{Geometry, Model, Physiological, Scenario, Support};
-use crate::verify::experiments::{EXPERIMENTS, Experiment};
-use crate::verify::fit::squared_misfit;
-use crate::verify::rerun::{fitted, read_run, with_fat};
+use crate::scenario::{Geometry, Model, Physiological, Support};
+use crate::verify::{experiments::EXPERIMENTS, experiments::Experiment, fit::misfit_of};
+use crate::verify::{rerun::fitted, rerun::read_run, rerun::with_fat};
 use rayon::prelude::*;
 
 /// The bulk moduli of fat that are tried, in `MPa`.
@@ -50,10 +49,7 @@ impl InOrbit {
     /// The sum of squared misfits of each of [`FATS_MPA`], as the fit has it.
     pub fn misfits(&self) -> [f64; FATS_MPA.len()] {
         std::array::from_fn(|i| {
-            let of = |(experiment, values): &Row<_>| match values[i] {
-                Ok(value) => squared_misfit(experiment.measured, value),
-                Err(_) => f64::INFINITY,
-            };
+            let of = |(experiment, values): &Row<_>| misfit_of(experiment, &values[i]);
             self.fitted.iter().map(of).sum()
         })
     }
@@ -64,16 +60,14 @@ fn each<const N: usize>(
     experiments: impl Iterator<Item = &'static Experiment>,
     cases: [(f64, Geometry); N],
 ) -> Vec<Row<N>> {
-    let experiments: Vec<_> = experiments.collect();
     let row = |experiment: &'static Experiment| {
-        let found = cases
-            .map(|(mpa, orbit)| figure(experiment, with_fat((experiment.scenario)(), mpa), orbit));
-        (experiment, found)
+        (experiment, cases.map(|(mpa, orbit)| figure(experiment, mpa, orbit)))
     };
-    experiments.into_par_iter().map(row).collect()
+    experiments.collect::<Vec<_>>().into_par_iter().map(row).collect()
 }
 
-fn figure(experiment: &Experiment, mut scenario: Scenario, orbit: Geometry) -> Result<f64, String> {
+fn figure(experiment: &Experiment, mpa: f64, orbit: Geometry) -> Result<f64, String> {
+    let mut scenario = with_fat((experiment.scenario)(), mpa);
     if let Model::Physiological(model) = &mut scenario.model {
         model.support = Support::Orbit;
     }

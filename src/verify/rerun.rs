@@ -3,8 +3,7 @@
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 
-use crate::answer::compiled::Compiled;
-use crate::answer::solve::{Answer, solve};
+use crate::answer::{compiled::Compiled, solve::Answer, solve::solve};
 use crate::run::{flags::FlagKind, kept::Keep, model::Run, refusal::Refusal, watch::unwatched};
 use crate::scenario::{Model, Physiological, Scenario};
 use crate::verify::experiments::{EXPERIMENTS, Experiment, Gauge};
@@ -43,7 +42,10 @@ impl Rerun {
         let step_errors = solved().filter_map(|answer| answer.errors.time_step_percent());
         Self {
             experiment,
-            predicted: answers.each_ref().map(|answer| read(experiment, answer)),
+            predicted: answers.each_ref().map(|answer| {
+                let answer = answer.as_ref().map_err(Refusal::to_string)?;
+                read_run(experiment, &answer.case, &answer.run)
+            }),
             published: None,
             step_error: step_errors.reduce(f64::max),
             flags,
@@ -53,15 +55,13 @@ impl Rerun {
     /// What is predicted on each mesh over what was measured.
     pub fn ratios(&self) -> [Option<f64>; MESHES] {
         let typical = self.experiment.measured.typical();
-        let ratio = |value: &Result<f64, String>| Some(value.as_ref().ok()? / typical);
-        self.predicted.each_ref().map(ratio)
+        self.predicted.each_ref().map(|value| Some(value.as_ref().ok()? / typical))
     }
 
     /// Whether the prediction of each mesh lies where the measurement says.
     pub fn inside(&self) -> [bool; MESHES] {
         let measured = self.experiment.measured;
-        let inside = |value: &Result<f64, String>| value.as_ref().is_ok_and(|v| measured.holds(*v));
-        self.predicted.each_ref().map(inside)
+        self.predicted.each_ref().map(|value| value.as_ref().is_ok_and(|v| measured.holds(*v)))
     }
 
     /// Whether the prediction of every mesh does.
@@ -96,30 +96,26 @@ pub(crate) fn with_fat(mut scenario: Scenario, mpa: f64) -> Scenario {
     scenario
 }
 
-/// Runs each scenario, as `change` makes it, once for all experiments that share it; in their
-/// order.
+/// Runs each scenario, as `change` makes it, once for all experiments that share it.
 pub(crate) fn rerun(
     experiments: impl Iterator<Item = &'static Experiment>,
     change: impl Fn(Scenario) -> Scenario + Sync,
 ) -> Vec<Rerun> {
-    let mut groups: Vec<(Scenario, Vec<(usize, &'static Experiment)>)> = Vec::new();
-    for (place, experiment) in experiments.enumerate() {
+    let mut groups: Vec<(Scenario, Vec<&'static Experiment>)> = Vec::new();
+    for experiment in experiments {
         let scenario = change((experiment.scenario)());
         match groups.iter_mut().find(|(known, _)| *known == scenario) {
-            Some((_, members)) => members.push((place, experiment)),
-            None => groups.push((scenario, vec![(place, experiment)])),
+            Some((_, members)) => members.push(experiment),
+            None => groups.push((scenario, vec![experiment])),
         }
     }
-    let mut rows: Vec<(usize, Rerun)> = groups
-        .into_par_iter()
-        .flat_map_iter(|(scenario, members)| {
-            let answers = answers(&scenario);
-            let row = move |(place, experiment)| (place, Rerun::read(experiment, &answers));
-            members.into_iter().map(row)
-        })
-        .collect();
-    rows.sort_by_key(|(place, _)| *place);
-    rows.into_iter().map(|(_, row)| row).collect()
+    let read = |(scenario, members): (Scenario, Vec<&'static Experiment>)| {
+        let answers = answers(&scenario);
+        members.into_iter().map(move |experiment| Rerun::read(experiment, &answers))
+    };
+    let mut rows: Vec<Rerun> = groups.into_par_iter().flat_map_iter(read).collect();
+    rows.sort_by_key(|row| EXPERIMENTS.iter().position(|of| of.key == row.experiment.key));
+    rows
 }
 
 /// Answers of the scenario's own mesh and of the next finer ones.
@@ -134,18 +130,11 @@ fn answers(scenario: &Scenario) -> OnEach<Answer, Refusal> {
     [own, finer, finest]
 }
 
-/// Whether a flag matters to a reading. That at a way of the object is taken before its window
-/// ends, which cuts what comes after on purpose.
+/// Whether a flag matters to a reading: at a way of the object the window ends on purpose.
 fn limits(reading: Gauge, kind: FlagKind) -> bool {
     let ends =
         matches!(kind, FlagKind::ContactCut | FlagKind::WindowShort | FlagKind::WindowCapped);
     !(ends && matches!(reading, Gauge::ForceAt(_)))
-}
-
-/// Reads one figure of an answer.
-fn read(experiment: &Experiment, answer: &Result<Answer, Refusal>) -> Result<f64, String> {
-    let answer = answer.as_ref().map_err(Refusal::to_string)?;
-    read_run(experiment, &answer.case, &answer.run)
 }
 
 /// Reads one figure of a run that kept its traces.

@@ -2,18 +2,16 @@
 //!
 //! A scene is drawn from a scrambled Sobol sequence, so a seed names it for good.
 
-use crate::scenario::{
-    EyeInput, ForcePulse, Geometry, Impact, Model, NumericsInput, Outline, Physiological,
-    Projectile, ProjectileStiffness, PulseShape, Scenario, Species, Support, Surface,
-};
+use crate::scenario::{EyeInput, ForcePulse, Geometry, Impact, Model, NumericsInput, Outline};
+use crate::scenario::{Physiological, Projectile, ProjectileStiffness, PulseShape, Scenario};
+use crate::scenario::{Species, Support, Surface};
 use std::f64::consts::PI;
 
 /// Most scenes that the sequence has for one seed.
 pub const MAX_SCENES: u32 = 1 << 16;
 /// Largest kinetic energy of an object, in J.
 const HARDEST_J: f64 = 20.0;
-/// Largest angle of a blow from the side, in degrees, and distance beside the middle that it is
-/// aimed at, in mm.
+/// Largest angle of a blow from the side, in degrees, and distance beside the middle, in mm.
 const STEEPEST_DEG: f64 = 70.0;
 const FARTHEST_MM: f64 = 8.0;
 
@@ -22,11 +20,9 @@ const FARTHEST_MM: f64 = 8.0;
 pub enum Scenes {
     /// Pulses on the Paper model: force, duration, angle, width, shape, filaments.
     Pulses,
-    /// Objects at the Physiological model: mass, size, speed, angle, outline, surface, spring; the
-    /// eye and what holds it.
+    /// Objects of any mass, size, speed, angle and make at eyes of the Physiological model.
     Objects,
-    /// The same objects from the side: angles to 70 degrees at any hour, aimed up to 8 mm beside
-    /// the middle, at the eye that they need.
+    /// The same from the side: to 70 degrees at any hour, aimed up to 8 mm beside the middle.
     Sides,
 }
 
@@ -115,18 +111,14 @@ fn object(draw: Draw) -> Scenario {
     let (surface, restitution) = match draw.share(4) {
         s if s < 0.4 => (Surface::Hard, 1.0),
         s if s < 0.7 => (Surface::Elastic { modulus_mpa }, bounce),
-        _ => {
-            let kpa = draw.ratio(6, 50.0, 2000.0);
-            (Surface::Inflated { kpa, modulus_mpa }, bounce)
-        }
+        _ => (Surface::Inflated { kpa: draw.ratio(6, 50.0, 2000.0), modulus_mpa }, bounce),
     };
     let springy = surface != Surface::Hard && draw.share(7) < 0.3;
-    let outline = if draw.share(8) < 0.8 {
-        Outline::Sphere
-    } else {
-        let edge_mm = draw.between(9, 0.05, 0.5) * diameter_mm;
-        Outline::Cylinder { edge_mm }
-    };
+    let edge_mm = draw.between(9, 0.05, 0.5) * diameter_mm;
+    let sphere = draw.share(8) < 0.8;
+    let outline = if sphere { Outline::Sphere } else { Outline::Cylinder { edge_mm } };
+    let n_per_m = draw.ratio(18, 1e4, 1e6);
+    let spring = ProjectileStiffness::Linear { n_per_m };
     let around = |dimension, value: f64| value * draw.ratio(dimension, 0.7, 1.4);
     let plain = Physiological::default();
     Scenario {
@@ -153,12 +145,7 @@ fn object(draw: Draw) -> Scenario {
             outline,
             surface,
             restitution,
-            stiffness: if springy {
-                let n_per_m = draw.ratio(18, 1e4, 1e6);
-                ProjectileStiffness::Linear { n_per_m }
-            } else {
-                ProjectileStiffness::Rigid
-            },
+            stiffness: if springy { spring } else { ProjectileStiffness::Rigid },
             ..Projectile::default()
         }),
         // What a blow does at first; the published coverage is of this.

@@ -18,7 +18,7 @@ use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::prepare;
 use contrecoup::tui::request::{Report, Request};
 use contrecoup::tui::save::SaveError;
-use contrecoup::tui::screens::accuracy::measurement::MeasureAccuracy;
+use contrecoup::tui::screens::accuracy::MeasureAccuracy;
 use contrecoup::tui::screens::compare::comparison::{Comparison, SimulateMarked};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::{Depth, Symbols};

@@ -16,7 +16,7 @@ use contrecoup::tui::app::update::{Message, update};
 use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::picker::Picker;
 use contrecoup::tui::request::Report;
-use contrecoup::tui::screens::accuracy::measurement::Measurement;
+use contrecoup::tui::screens::accuracy::Measurement;
 use contrecoup::tui::terminal::caps::Depth;
 use contrecoup::tui::threshold::FindThreshold;
 use drawn::{

@@ -75,7 +75,8 @@ impl Table {
 fn compare(column: usize) {
     let half = [4, 6, 8, 12][column];
     let mut table = Table { column, half, far: Vec::new() };
-    let soft = Surround::orbit().with_bulk(0.40e6);
+    let mut soft = Surround::orbit();
+    soft.material.bulk = 0.40e6;
     let human = |around| eye(half, false, Some(around));
     let r = hit(&human(Surround::orbit()), flat(8.2), 1.0);
     let n = force_at(&r, 7.5);

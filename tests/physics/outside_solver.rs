@@ -7,11 +7,8 @@
 
 use contrecoup::models::paper::case::PaperCase;
 use contrecoup::models::paper::eye::Eye;
-use contrecoup::models::paper::forces::kernel::Survey;
 use contrecoup::models::paper::forces::state::State;
-use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::models::pulse::Piece;
+use contrecoup::models::paper::time::march::march;
 use contrecoup::run::kept::Keep;
 use contrecoup::run::places::Region;
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -20,6 +17,7 @@ use contrecoup::scenario::Integrator;
 use contrecoup::scenario::{Curve, ForcePulse, Impact, PulseShape, Scenario};
 use differential_equations::prelude::*;
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 /// What the two must agree to.
 const AGREEMENT: f64 = 1e-9;
@@ -299,18 +297,11 @@ fn outside(eye: &Eye, blow: &ForcePulse, times: &[f64]) -> Outside {
     found
 }
 
-struct Nobody;
-
-impl Observer for Nobody {
-    fn begin(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
-    fn step(&mut self, _: &System, _: &State, _: Piece, _: &Survey) {}
-}
-
 /// Differences of positions and speeds from the outside solver's `y`, as shares of the `largest`
 /// of the whole motion; differences of work and loss as shares of them.
 fn disagreement(case: &PaperCase, plan: &Plan, y: &[f64], largest: [f64; 2]) -> [f64; 4] {
     let mut state = State::at_rest(&case.system);
-    march(&case.system, plan, &mut state, &mut Nobody).unwrap();
+    march(&case.system, plan, &mut state, |_| ControlFlow::Continue(())).unwrap();
     let count = 2 * case.eye.nodes.len();
     let mut off = [0.0f64; 2];
     for (n, node) in case.eye.nodes.iter().enumerate() {

@@ -10,9 +10,8 @@ use contrecoup::models::paper::forces::load::ArcLoad;
 use contrecoup::models::paper::forces::plain::Plain;
 use contrecoup::models::paper::forces::state::State;
 use contrecoup::models::paper::forces::system::System;
-use contrecoup::models::paper::time::march::{Observer, march};
-use contrecoup::models::paper::time::stability;
-use contrecoup::models::pulse::{Piece, Pulse};
+use contrecoup::models::paper::time::march::{Moment, march};
+use contrecoup::models::pulse::Pulse;
 use contrecoup::run::model::EyeModel;
 use contrecoup::run::places::Region;
 use contrecoup::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -21,6 +20,7 @@ use contrecoup::scenario::{EyeInput, ForcePulse, PulseShape, Scenario};
 use nalgebra::{Point2, Vector2};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use std::ops::ControlFlow;
 
 /// Keeps what it sees.
 #[derive(Default)]
@@ -30,14 +30,15 @@ struct Log {
     residuals: Vec<f64>,
 }
 
-impl Observer for Log {
-    fn begin(&mut self, _: &System, _: &State, _: Piece, survey: &Survey) {
-        self.first.get_or_insert(*survey);
-    }
-    fn step(&mut self, _: &System, state: &State, _: Piece, survey: &Survey) {
-        let stored = survey.kinetic + survey.elastic;
-        self.residuals.push(state.work - stored - state.dissipated);
-        self.end = Some(*survey);
+impl Log {
+    fn see(&mut self, now: Moment) -> ControlFlow<()> {
+        self.first.get_or_insert(*now.survey);
+        if !now.starts {
+            let stored = now.survey.kinetic + now.survey.elastic;
+            self.residuals.push(now.state.work - stored - now.state.dissipated);
+            self.end = Some(*now.survey);
+        }
+        ControlFlow::Continue(())
     }
 }
 
@@ -110,7 +111,7 @@ fn free_motion(
     }
     let mut log = Log::default();
     let plan = Plan { integrator, step, window, multiple: 1.0, local_tolerance: LOCAL_TOLERANCE };
-    march(&system, &plan, &mut state, &mut log).unwrap();
+    march(&system, &plan, &mut state, |now| log.see(now)).unwrap();
     (system, state, log)
 }
 
@@ -182,7 +183,7 @@ fn end_state(integrator: Integrator, step: f64, case: &PaperCase) -> State {
         multiple: 1.0,
         local_tolerance: f64::INFINITY,
     };
-    march(&case.system, &plan, &mut state, &mut Log::default()).unwrap();
+    march(&case.system, &plan, &mut state, |_| ControlFlow::Continue(())).unwrap();
     state
 }
 
@@ -312,11 +313,11 @@ proptest! {
         let case = PaperCase::with(&scenario.check().unwrap(), false, portable);
         let step = 0.5 * case.step_limit(Integrator::VelocityVerlet);
         let state = end_state(Integrator::VelocityVerlet, step, &case);
-        let mut plain = Plain::new(&case.eye, case.system.load().pulse.clone(), &case.load);
+        let mut plain = Plain::new(&case.eye, case.system.pulse.clone(), &case.load);
         plain.run(case.window, step, |_, _| {});
         for i in 0..case.eye.nodes.len() {
             let p = state.position(case.system.place(i));
-            let distance = (p - Point2::new(plain.x[i], plain.y[i])).norm();
+            let distance = (p - plain.position[i]).norm();
             prop_assert!(distance < 1e-11, "node {i}: {distance}");
         }
     }
@@ -336,7 +337,7 @@ fn the_energy_residual_shrinks_with_the_order_of_the_method() {
             multiple: 1.0,
             local_tolerance: LOCAL_TOLERANCE,
         };
-        march(&case.system, &plan, &mut state, &mut log).unwrap();
+        march(&case.system, &plan, &mut state, |now| log.see(now)).unwrap();
         log.residuals.iter().fold(0.0, |a: f64, b| a.max(b.abs())) / state.work
     };
     for (integrator, step, order) in [
@@ -371,7 +372,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
     scenario.window_ms = Some(5.0);
     let case = PaperCase::new(&scenario.check().unwrap());
     for &integrator in Integrator::ALL {
-        let limit = stability::step_limit(integrator, &case.system);
+        let limit = case.step_limit(integrator);
         let energy = |share: f64| {
             let mut state = State::at_rest(&case.system);
             let mut log = Log::default();
@@ -382,7 +383,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
                 multiple: 1.0,
                 local_tolerance: LOCAL_TOLERANCE,
             };
-            match march(&case.system, &plan, &mut state, &mut log) {
+            match march(&case.system, &plan, &mut state, |now| log.see(now)) {
                 Ok(_) => log.end.map_or(f64::NAN, |s| (s.kinetic + s.elastic) / state.work),
                 Err(_) => f64::INFINITY,
             }
@@ -391,7 +392,7 @@ fn the_stability_bound_holds_and_is_not_far_from_sharp() {
         // The pair is cautious already, and fails slowly.
         if !integrator.method().adaptive() {
             let above =
-                1.25 * integrator.method().stability_limit / (limit * case.system.omega_bound());
+                1.25 * integrator.method().stability_limit / (limit * case.system.omega_bound);
             assert!(energy(above) > 100.0, "{integrator:?} is stable far above it");
         }
     }

@@ -1,6 +1,5 @@
 //! One crossing: bracketed, with the errors of step and mesh there, or the range of a risk.
 
-use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 use super::ThresholdSearch;
@@ -8,8 +7,8 @@ use crate::answer::solve::{Answer, solve};
 use crate::answer::{brief::single, complete::complete, results::Results};
 use crate::injury::{Blow, Injury, Known, Risk};
 use crate::many::root::{Bracket, narrowed};
-use crate::run::ordered::{self, until};
-use crate::run::{flags::Flag, kept::Keep, refusal::Refusal};
+use crate::run::refusal::{Refusal, unstopped};
+use crate::run::{flags::Flag, kept::Keep, ordered::until, threads::beside};
 
 /// How wide the bracket of a crossing is in the end, as a share of it.
 pub(super) const WIDTH: f64 = 1e-4;
@@ -17,8 +16,7 @@ pub(super) const WIDTH: f64 = 1e-4;
 const STEP_ASIDE: f64 = 0.01;
 /// How many runs a crossing takes is not known: each leaves this share of its progress to go.
 const PATIENCE: f64 = 0.85;
-/// A result that changes within a bracket by more than this share of its range on the grid jumps
-/// there.
+/// Within a bracket a result jumps if it changes by more than this share of its range on the grid.
 const JUMP: f64 = 0.05;
 /// An end of such a range is looked for in steps of this ratio, so many of them at most.
 const ASIDE: f64 = 1.2;
@@ -54,9 +52,13 @@ pub struct RiskThere {
     pub range: (Option<f64>, Option<f64>),
 }
 
+/// What came of a run that may fail; only who stopped it wants no more.
+fn if_known<T>(outcome: Result<T, Refusal>) -> Result<Option<T>, Refusal> {
+    unstopped(outcome).map(Result::ok).ok_or(Refusal::Cancelled)
+}
+
 impl ThresholdSearch {
-    /// What is known of the crossing within a bracket, of results that range over `spread` on the
-    /// grid.
+    /// The crossing within a bracket, of results that range over `spread` on the grid.
     pub(super) fn crossing(
         &self,
         bracket: Bracket,
@@ -74,25 +76,18 @@ impl ThresholdSearch {
         let bracket = narrowed(bracket, width, |value| -> Result<f64, Refusal> {
             let result = self.results_at(value, stop)?[self.quantity];
             one_more_run();
-            Ok(result.ok_or_else(|| self.absent())? - self.target)
+            Ok(result.ok_or_else(|| self.absent(""))? - self.target)
         })?;
         let at = bracket.secant();
         let jump = ((bracket.high.1 - bracket.low.1).abs() > JUMP * spread)
             .then_some((bracket.low.1 + self.target, bracket.high.1 + self.target));
-        let scenario = self.at(at)?.check()?;
+        let scenario = self.at(at)?;
         let mut answer = solve(&scenario, Keep::default(), &mut until(stop))?;
         one_more_run();
         complete(&scenario, &mut answer, stop, |_| {})?;
         one_more_run();
-        let mut crossing = Crossing {
-            at,
-            rising,
-            step: None,
-            mesh: None,
-            jump,
-            flags: answer.flags.clone(),
-            risk: None,
-        };
+        let flags = answer.flags.clone();
+        let mut crossing = Crossing { at, rising, step: None, mesh: None, jump, flags, risk: None };
         if jump.is_some() {
             return Ok(crossing);
         }
@@ -101,32 +96,21 @@ impl ThresholdSearch {
             crossing.risk = answer.risk(injury).map(|risk| RiskThere { risk, range });
             return Ok(crossing);
         }
-        let [low, high] = self.aside(at).map(|end| match self.answer_at(end, stop) {
-            Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
-            // Beyond there is nothing: the slope is not known.
-            solved => Ok(solved.ok()),
-        });
-        let ends = low?.zip(high?);
-        let [from, to] = self.aside(at);
-        let slope = ends.map_or(f64::NAN, |(low, high)| {
-            let value = |answer: &Answer| answer.results()[self.quantity].unwrap_or(f64::NAN);
-            (value(&high) - value(&low)) / (to - from)
-        });
-        let value = answer.results()[self.quantity];
-        let errors = &answer.errors;
-        let off =
-            [Some(&errors.time_step), errors.mesh.as_ref()].map(|errors: Option<&Results>| {
-                let off = errors?[self.quantity]? / 100.0 * value?.abs() / slope.abs();
-                off.is_finite().then_some(off)
-            });
-        [crossing.step, crossing.mesh] = off;
-        Ok(crossing)
-    }
-
-    /// Two values on both sides of one, between which slopes are taken.
-    fn aside(&self, at: f64) -> [f64; 2] {
         let aside = STEP_ASIDE * at.abs().max(WIDTH * (self.range.1 - self.range.0));
-        [at - aside, at + aside].map(|x| x.clamp(self.bounds.min, self.bounds.max))
+        let bounds = &self.bounds;
+        let [from, to] = [at - aside, at + aside].map(|x| x.clamp(bounds.min, bounds.max));
+        // Where nothing is beyond an end the slope is not known.
+        let [low, high] = [from, to].map(|end| if_known(self.answer_at(end, stop)));
+        let value = |answer: &Answer| answer.results()[self.quantity];
+        let rise = low?.zip(high?).and_then(|(low, high)| Some(value(&high)? - value(&low)?));
+        let off = |errors: Option<&Results>| {
+            let slope = rise? / (to - from);
+            let off = errors?[self.quantity]? / 100.0 * value(&answer)?.abs() / slope.abs();
+            off.is_finite().then_some(off)
+        };
+        crossing.step = off(Some(&answer.errors.time_step));
+        crossing.mesh = off(answer.errors.mesh.as_ref());
+        Ok(crossing)
     }
 
     /// From which to which value of the field the range of a risk holds the target: by runs at
@@ -138,24 +122,16 @@ impl ThresholdSearch {
         answer: &Answer,
         stop: &AtomicBool,
     ) -> Result<(Option<f64>, Option<f64>), Refusal> {
-        let Some(there) = answer.risk(injury) else {
-            return Ok((None, None));
-        };
+        let there = answer.risk(injury).filter(|_| at > 0.0);
+        let Some(there) = there else { return Ok((None, None)) };
         let target = self.target / self.quantity.row().factor;
-        // Whether the upper end of the range, or the lower one, has the target at a value; none
-        // where nothing can be computed.
+        // Whether the upper or lower end of the range has the target at a value, if it is known.
         let reached = |value: f64, upper: bool| {
             let scenario = self.at(value)?;
-            let checked = scenario.check()?;
-            let run = match single(&checked, None, &mut until(stop)) {
-                Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
-                other => other.ok(),
-            };
+            let run = if_known(single(&scenario, None, &mut until(stop)))?;
             let measure = injury.measure();
-            let value = run.and_then(|run| run.values[measure]);
-            Ok(value.map(|value| {
-                let value = value / measure.row().factor;
-                let known = Known { value, ..there.known };
+            Ok(run.and_then(|run| run.values[measure]).map(|value| {
+                let known = Known { value: value / measure.row().factor, ..there.known };
                 let range = injury.assess(&Blow::of(&scenario), known).range;
                 (if upper { range.1 } else { range.0 }) >= target
             }))
@@ -175,28 +151,12 @@ impl ThresholdSearch {
             }
             for _ in 0..HALVINGS {
                 let middle = (near * far).sqrt();
-                match reached(middle, upper)? {
-                    Some(has) if has == upper => near = middle,
-                    _ => far = middle,
-                }
+                let has = reached(middle, upper)?;
+                *(if has == Some(upper) { &mut near } else { &mut far }) = middle;
             }
             Ok(Some((near * far).sqrt()))
         };
-        if at <= 0.0 {
-            return Ok((None, None));
-        }
-        let mut ends = Vec::new();
-        ordered::run(
-            (0, 2),
-            stop,
-            |i| Some(end((i == 0) == rising)),
-            |_, end| {
-                ends.push(end);
-                ControlFlow::Continue(())
-            },
-        );
-        let mut ends = ends.into_iter();
-        let mut next = || ends.next().unwrap_or(Err(Refusal::Cancelled));
-        Ok((next()?, next()?))
+        let (lower, upper) = beside(|| end(rising), || end(!rising));
+        Ok((lower?, upper?))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The range is looked at on a grid, on all cores, coarsely at first where nobody narrowed it;
 //! wherever two neighbours lie on two sides of the value, the crossing between them is bracketed
-//! to a share of itself (see [`crate::many::root`]). With e the error of the result there, as
+//! to a share of itself (see `crate::many::root`). With e the error of the result there, as
 //! answers state it, and s its slope over a hundredth to both sides, the crossing may be off by
 //! e / s: one figure for the step, one for the mesh. A risk carries what is said of it there, and
 //! the range of the field over which its range, with all that is not known at the crossing, holds
@@ -13,30 +13,27 @@
 //! [`crate::many::ensemble`]).
 
 mod crossing;
-mod question;
 #[cfg(test)]
 mod tests;
 
-use std::ops::ControlFlow;
+use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
 pub use crossing::{Crossing, RiskThere};
-pub use question::{meant, usual, wanted};
 
-use crate::answer::solve::{Answer, solve};
-use crate::answer::{brief::single, results::Results};
+use crate::answer::{brief::single, results::Results, solve::Answer, solve::solve};
 use crate::many::{root::Bracket, sweep::spaced};
-use crate::run::ordered::{self, until};
-use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal};
-use crate::scenario::fields::{Bounds, Field, Kind};
-use crate::scenario::problem::{Problem, ScenarioError, five_nearest, plain};
-use crate::scenario::{Scenario, set::set};
+use crate::run::{flags::PRESSED_FLAT, kept::Keep, ordered, ordered::until, quantity::Quantity};
+use crate::run::{refusal::Refusal, refusal::unstopped};
+use crate::scenario::{CheckedScenario, Impact, Model, Scenario, doubt::number, fields};
+use crate::scenario::{fields::Bounds, fields::Field, fields::Kind, problem::five_nearest};
+use crate::scenario::{problem::Problem, problem::ScenarioError, problem::plain};
+use crate::scenario::{problem::suggestion, set::full_path, set::set};
 
 /// Intervals of the grid, at least, and the largest ratio of neighbours on it.
 const INTERVALS: usize = 24;
 const LARGEST_RATIO: f64 = 2.0;
-/// The grid goes down to this share of the present value, and then to the end of a range that
-/// somebody gave.
+/// The grid goes down to this share of the present value, then to the end of a given range.
 const LEAST_SHARE: f64 = 1e-3;
 /// To this share alone where nobody gave one: a blow so slow lasts for ever.
 const SLOWEST_SHARE: f64 = 1e-2;
@@ -54,8 +51,7 @@ pub struct ThresholdSearch {
     bounds: Bounds,
     /// Least and greatest value of the field.
     pub range: (f64, f64),
-    /// Whether the person gave that range; else it is all that the field may be, but for what is
-    /// less than a hundredth of the present value.
+    /// Whether the person gave that range; else it begins at [`SLOWEST_SHARE`] of the present one.
     narrow: bool,
     /// The result.
     pub quantity: Quantity,
@@ -72,12 +68,11 @@ pub struct Threshold {
     pub crossings: Vec<Crossing>,
 }
 
-/// Values of the field, and the result there if there is one, or why nothing could be computed.
-type Seen = Result<Vec<(f64, Result<Option<f64>, String>)>, Refusal>;
+/// A result, if there is one, or why nothing could be computed.
+type Looked = Result<Option<f64>, String>;
 
 impl ThresholdSearch {
-    /// Varies what is read from `FIELD` or `FIELD=FROM:TO` until a result has a value, see
-    /// [`wanted`].
+    /// Varies `FIELD` or `FIELD=FROM:TO` until a result has a value, see [`wanted`].
     ///
     /// # Errors
     /// Says why the field cannot be varied so, and what could.
@@ -86,14 +81,12 @@ impl ThresholdSearch {
         vary: &str,
         (quantity, target): (Quantity, f64),
     ) -> Result<Self, ScenarioError> {
-        let (path, ends) = match vary.split_once('=') {
-            Some((path, ends)) => (path.trim(), Some(ends)),
-            None => (vary.trim(), None),
-        };
-        let (field, bounds) = question::bounds(&scenario, path)?;
+        let ends = vary.split_once('=');
+        let (path, ends) = ends.map_or((vary, None), |(path, ends)| (path, Some(ends)));
+        let (field, bounds) = bounds(&scenario, path.trim())?;
         let range = match ends {
             None => (bounds.min, bounds.max),
-            Some(ends) => question::range(&scenario, field, &bounds, ends)?,
+            Some(ends) => range(&scenario, field, &bounds, ends)?,
         };
         let mut search =
             Self { scenario, field, bounds, range, narrow: ends.is_some(), quantity, target };
@@ -104,44 +97,34 @@ impl ThresholdSearch {
         Ok(search)
     }
 
-    /// The scenario with another value of the field.
-    fn at(&self, value: f64) -> Result<Scenario, ScenarioError> {
+    fn at(&self, value: f64) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
         set(&mut scenario, self.field.path, &plain(value))?;
-        Ok(scenario)
+        scenario.check()
     }
 
-    fn absent(&self) -> Refusal {
-        let message = "this scenario has no such result";
+    fn absent(&self, but: &str) -> Refusal {
+        let message = format!("this scenario has no such result{but}");
         ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
     }
 
     fn answer_at(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
-        let scenario = self.at(value)?.check()?;
-        solve(&scenario, Keep::default(), &mut until(stop))
+        solve(&self.at(value)?, Keep::default(), &mut until(stop))
     }
 
     /// The value of the field now.
     pub fn present(&self) -> f64 {
-        match &self.field.kind {
-            Kind::Number(_, place) => (place.get)(&self.scenario).copied(),
-            Kind::OptionalNumber(_, place) => (place.get)(&self.scenario).copied().flatten(),
-            _ => None,
-        }
-        .unwrap_or(f64::NAN)
+        number(self.field, &self.scenario).map_or(f64::NAN, |(present, _)| present)
     }
 
-    /// The values that are looked at first: evenly where the range has both signs or is narrow,
-    /// else by ratios from the present value on.
+    /// The values of the grid: by ratios from the present one on where the range is wide.
     fn grid(&self) -> Vec<f64> {
         let (from, to) = self.range;
         if from < 0.0 || to <= 4.0 * from || from == to {
             return spaced(from, to, if from == to { 1 } else { INTERVALS + 1 });
         }
-        let middle = match self.present() {
-            present if present > 0.0 => present,
-            _ => LEAST_SHARE * to,
-        };
+        let present = self.present();
+        let middle = if present > 0.0 { present } else { LEAST_SHARE * to };
         let middle = middle.clamp(from.max(LEAST_SHARE * to * LEAST_SHARE), to);
         let least = from.max(LEAST_SHARE * middle);
         let ratio = libm::pow(to / least, 1.0 / INTERVALS as f64).min(LARGEST_RATIO);
@@ -168,22 +151,21 @@ impl ThresholdSearch {
         if seen.iter().all(|(_, result)| matches!(result, Ok(None))) {
             let there = self.results_at(seen[0].0, stop)?;
             let there = there.present().map(|(of, _)| of.key());
-            let message = format!(
-                "this scenario has no such result; the nearest that it has: {}",
-                five_nearest(self.quantity.key(), there)
-            );
-            return Err(ScenarioError::from(Problem::new(self.quantity.key(), message)).into());
+            let near = five_nearest(self.quantity.key(), there);
+            return Err(self.absent(&format!("; the nearest that it has: {near}")));
         }
-        let none = || "no such result there".to_owned();
-        let seen: Vec<(f64, Result<f64, String>)> = seen
-            .into_iter()
-            .map(|(at, result)| (at, result.and_then(|value| value.ok_or_else(none))))
-            .collect();
-        let brackets = self.brackets(&seen);
+        let known = |looked: Looked| looked?.ok_or_else(|| "no such result there".to_owned());
+        let seen: Vec<_> = seen.into_iter().map(|(at, result)| (at, known(result))).collect();
+        // Neighbours on two sides of the target.
+        let brackets = seen.windows(2).filter_map(|pair| {
+            let [(a, Ok(low)), (b, Ok(high))] = pair else { return None };
+            let bracket = Bracket { low: (*a, low - self.target), high: (*b, high - self.target) };
+            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
+        });
+        let brackets: Vec<Bracket> = brackets.collect();
         let mut crossings = Vec::new();
-        let values = || seen.iter().filter_map(|(_, result)| result.as_ref().ok());
-        let spread =
-            values().fold(f64::MIN, |a, b| a.max(*b)) - values().fold(f64::MAX, |a, b| a.min(*b));
+        let values = || seen.iter().filter_map(|(_, result)| result.clone().ok());
+        let spread = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
         for (i, bracket) in brackets.iter().enumerate() {
             let each = (1.0 - LOOKED) / brackets.len() as f64;
             let mut progress = |share: f64| progress(LOOKED + each * (i as f64 + share));
@@ -195,33 +177,29 @@ impl ThresholdSearch {
     /// The result on the grid, in its order. Of a range that nobody narrowed every [`COARSE`]th
     /// value is looked at first, and others only between two of which one has no result, or where
     /// the target may lie. Each is one run: its error matters at a crossing, where it is stated.
-    fn run_grid(&self, stop: &AtomicBool, progress: &mut (impl FnMut(f64) + Send)) -> Seen {
+    fn run_grid(
+        &self,
+        stop: &AtomicBool,
+        progress: &mut (impl FnMut(f64) + Send),
+    ) -> Result<Vec<(f64, Looked)>, Refusal> {
         let grid = self.grid();
         let last = grid.len() - 1;
-        let mut seen: Vec<Option<Result<Option<f64>, String>>> = vec![None; grid.len()];
         let coarse = if self.narrow { 1 } else { COARSE };
         let first: Vec<usize> = (0..=last).filter(|i| i % coarse == 0 || *i == last).collect();
-        let mut done = 0;
-        let mut run_at = |at: &[usize], seen: &mut Vec<_>| {
-            let run = |i: usize| match self.results_at(grid[at[i]], stop) {
-                Err(Refusal::Cancelled) => None,
-                Err(refusal) => Some(Err(refusal.to_string())),
-                Ok(results) => Some(Ok(results[self.quantity])),
+        let mut seen = BTreeMap::new();
+        let mut look = |at: &[usize], seen: &mut BTreeMap<usize, Looked>| {
+            let run = |i: usize| {
+                let results = unstopped(self.results_at(grid[at[i]], stop))?;
+                Some(results.map(|all| all[self.quantity]).map_err(|error| error.to_string()))
             };
-            let begun = done;
-            ordered::run((0, at.len()), stop, run, |i, result| {
-                seen[at[i]] = Some(result);
-                done += 1;
-                progress(LOOKED * done as f64 / grid.len() as f64);
-                ControlFlow::Continue(())
-            });
-            if done < begun + at.len() {
-                return Err(Refusal::Cancelled);
-            }
-            Ok(())
+            let share =
+                |part: f64| (seen.len() as f64 + part * at.len() as f64) / grid.len() as f64;
+            let found = ordered::all(at.len(), stop, run, |part| progress(LOOKED * share(part)))?;
+            seen.extend(at.iter().copied().zip(found));
+            Ok::<_, Refusal>(())
         };
-        run_at(&first, &mut seen)?;
-        let value = |i: usize| seen[i].clone().and_then(Result::ok).flatten();
+        look(&first, &mut seen)?;
+        let value = |i: usize| seen[&i].clone().ok().flatten();
         let worth = |(a, b): (usize, usize)| match (value(a), value(b)) {
             (Some(a), Some(b)) => {
                 let slack = (a - b).abs();
@@ -231,26 +209,124 @@ impl ThresholdSearch {
         };
         let pairs = first.windows(2).map(|pair| (pair[0], pair[1]));
         let between = pairs.filter(|pair| worth(*pair)).flat_map(|(a, b)| a + 1..b);
-        run_at(&between.collect::<Vec<_>>(), &mut seen)?;
-        let pairs = grid.into_iter().zip(seen);
-        Ok(pairs.filter_map(|(at, result)| Some((at, result?))).collect())
+        look(&between.collect::<Vec<_>>(), &mut seen)?;
+        Ok(seen.into_iter().map(|(i, looked)| (grid[i], looked)).collect())
     }
 
-    /// The results of one run at a value of the field.
     fn results_at(&self, value: f64, stop: &AtomicBool) -> Result<Results, Refusal> {
-        let scenario = self.at(value)?.check()?;
-        Ok(single(&scenario, None, &mut until(stop))?.values)
+        Ok(single(&self.at(value)?, None, &mut until(stop))?.values)
     }
+}
 
-    /// Neighbours on two sides of the target.
-    fn brackets(&self, seen: &[(f64, Result<f64, String>)]) -> Vec<Bracket> {
-        let pairs = seen.windows(2).filter_map(|pair| {
-            let [(a, Ok(low)), (b, Ok(high))] = pair else {
-                return None;
-            };
-            let bracket = Bracket { low: (*a, low - self.target), high: (*b, high - self.target) };
-            ((bracket.low.1 < 0.0) != (bracket.high.1 < 0.0)).then_some(bracket)
-        });
-        pairs.collect()
+/// The field of a path and its bounds, where it holds a number.
+fn bounds(scenario: &Scenario, path: &str) -> Result<(&'static Field, Bounds), ScenarioError> {
+    let path = full_path(scenario, path);
+    let Some(field) = fields::find(path) else {
+        // The words for a field that is not there; a group has none that fit.
+        let error = set(&mut scenario.clone(), path, "()").err();
+        let error = error.filter(|e| e.problems.iter().any(|p| p.line.is_none()));
+        let group = || Problem::new(path, "holds several fields: name one of them").into();
+        return Err(error.unwrap_or_else(group));
+    };
+    let Some(present) = field.text(scenario) else {
+        set(&mut scenario.clone(), path, "0")?;
+        return Err(Problem::new(path, "there is no such field in this scenario").into());
+    };
+    let Some(bounds) = field.bounds_in(scenario) else {
+        let message = match field.kind {
+            Kind::Integer(..) => {
+                format!("is a whole number, now {present}: `contrecoup sweep` lists its results")
+            }
+            _ => format!("is no number but {present}"),
+        };
+        return Err(Problem::new(path, message).into());
+    };
+    Ok((field, bounds))
+}
+
+/// Reads `FROM:TO` within the bounds of a field.
+fn range(
+    scenario: &Scenario,
+    field: &Field,
+    bounds: &Bounds,
+    ends: &str,
+) -> Result<(f64, f64), ScenarioError> {
+    let allowed = || format!("FROM:TO within {}", field.allowed_in(scenario));
+    let refused = |complaint| Problem::refused(field.path, ends.trim(), complaint, allowed());
+    let (from, to) = ends.split_once(':').ok_or_else(|| refused("is no range"))?;
+    let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>()) else {
+        return Err(refused("is no range of numbers").into());
+    };
+    if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) {
+        return Err(refused("goes from no lower to no higher value").into());
+    }
+    if from < bounds.min || to > bounds.max {
+        return Err(refused("is out of range").into());
+    }
+    Ok((from, to))
+}
+
+/// The field that is varied, and the result with its value, unless a person asks for others.
+pub fn usual(scenario: &Scenario) -> (&'static str, (Quantity, f64)) {
+    let field = match scenario.impact {
+        Impact::ForcePulse(_) => "impact.force_n",
+        Impact::Projectile(_) => "impact.speed_m_s",
+    };
+    let result = match scenario.model {
+        Model::Paper => Quantity::Damage,
+        Model::Physiological(_) => Quantity::GlobeRupture,
+    };
+    (field, (result, 50.0))
+}
+
+/// A name of a result as in its key, however it is spelled.
+fn bare(name: &str) -> String {
+    name.to_lowercase().replace([' ', '-', '\''], "_")
+}
+
+/// The result that is called so: by its key, with or without the unit, or as people read it.
+pub fn meant(name: &str) -> Option<Quantity> {
+    let name = bare(name);
+    let called = |quantity: &&Quantity| {
+        let (key, label) = (quantity.key(), bare(quantity.label()));
+        let unit = key.strip_prefix(name.as_str());
+        let units = ["", "_percent", "_mm", "_n", "_j", "_mpa", "_m_s", "_kj_m2"];
+        label == name || unit.is_some_and(|unit| units.contains(&unit))
+    };
+    Quantity::ALL.iter().find(called).copied()
+}
+
+/// Reads `RESULT = VALUE`; the unit may follow the value.
+///
+/// # Errors
+/// Says what makes no sense, and what would.
+pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
+    let refused = |value: &str, complaint: &str, allowed: &str| {
+        ScenarioError::from(Problem::refused("", value, complaint, allowed.to_owned()))
+    };
+    let example = "RESULT = VALUE, as in damage_percent = 50";
+    let (key, value) = text.split_once('=').ok_or_else(|| refused(text, "has no =", example))?;
+    let (key, value) = (key.trim().trim_end_matches('='), value.trim_start_matches('=').trim());
+    let Some(quantity) = meant(key) else {
+        let near = suggestion(&bare(key), Quantity::ALL.iter().map(|q| q.key()));
+        let allowed = "any of the results that contrecoup run --json lists";
+        return Err(refused(key, &format!("is no result{near}"), allowed));
+    };
+    // The index is no percentage for a reader, but its key says so.
+    let unit = quantity.row().unit;
+    let unit = if unit.is_empty() { "%" } else { unit };
+    let number = value.strip_suffix(unit).unwrap_or(value);
+    match number.trim().parse::<f64>() {
+        Ok(target) if target < 0.0 && quantity != Quantity::Rebound => {
+            let complaint = format!("is below 0, where {} never is", quantity.label());
+            Err(refused(value, &complaint, "0 or more"))
+        }
+        Ok(target) if quantity == Quantity::Shortening && target > 100.0 * PRESSED_FLAT => {
+            let complaint = "is beyond where the eye is pressed flat, at which a run ends";
+            let allowed = format!("up to {} %", 100.0 * PRESSED_FLAT);
+            Err(refused(value, complaint, &allowed))
+        }
+        Ok(target) if target.is_finite() => Ok((quantity, target)),
+        _ => Err(refused(value, "is no number", example)),
     }
 }

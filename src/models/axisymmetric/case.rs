@@ -1,20 +1,28 @@
 //! A scenario with the Physiological model, compiled: the eye in SI units and what hits it.
 
-use crate::models::axisymmetric as engine;
-use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::axisymmetric::eye::parameters::{
     Material, Parameters, ShellParameters, Surround,
 };
-use crate::models::axisymmetric::forces::object::{BallSpring, Object};
-use crate::models::axisymmetric::time::until::Until;
+use crate::models::axisymmetric::eye::{AxisymmetricEye, distance};
+use crate::models::axisymmetric::forces::object::{
+    BallSpring, Object, ObjectOutline, ObjectSurface,
+};
+use crate::models::axisymmetric::time::march::{Steps, Stop};
+use crate::models::axisymmetric::time::run::{AxisymmetricLoad, run, run_through, step_limit};
+use crate::models::axisymmetric::{drawing, flags, readings, rules::RULES, time::until::Until};
 use crate::models::pulse::Pulse;
-use crate::run::refusal::Refusal;
+use crate::run::kept::{Frame, Keep, Spacing};
+use crate::run::model::{EyeModel, Run};
+use crate::run::plan::{Cost, Plan};
+use crate::run::{drawing::Drawing, places::Region, refusal::Refusal, rules::Rules, watch::Watch};
 use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
-    CheckedScenario, Impact, Outline, Physiological, Projectile, ProjectileStiffness, Species,
-    Support, Surface,
+    CheckedScenario, Impact, Integrator, Outline, Physiological, Projectile, ProjectileStiffness,
+    Species, Support, Surface,
 };
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// The longest that a run without a set time lasts, in s, with a pulse the longest after it.
 pub(crate) const LONGEST: f64 = 60e-3;
@@ -28,15 +36,15 @@ pub struct AxisymmetricCase {
     /// The eye.
     pub eye: AxisymmetricEye,
     /// What hits it.
-    pub load: engine::AxisymmetricLoad,
+    pub load: AxisymmetricLoad,
     /// Simulated time, in s.
-    pub window: engine::Until,
+    pub window: Until,
     /// Front angle of the blow, in degrees.
     pub angle_deg: f64,
     /// What catches an object that is too wide.
     pub rim: &'static str,
     /// Longest stable step at rest, in s.
-    pub(super) limit: f64,
+    limit: f64,
 }
 
 impl AxisymmetricCase {
@@ -45,15 +53,15 @@ impl AxisymmetricCase {
         let (angle_deg, load) = match &scenario.impact {
             Impact::ForcePulse(pulse) => {
                 let half_width = pulse.half_width_deg.to_radians();
-                (pulse.angle_deg, engine::AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width))
+                (pulse.angle_deg, AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width))
             }
             Impact::Projectile(projectile) => {
-                (projectile.angle_deg, engine::AxisymmetricLoad::Object(object(projectile)))
+                (projectile.angle_deg, AxisymmetricLoad::Object(object(projectile)))
             }
         };
         let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Self {
-            limit: engine::step_limit(&eye, &load),
+            limit: step_limit(&eye, &load),
             eye,
             window: Until::asked(scenario.window_ms, LONGEST + duration(&load).unwrap_or(0.0)),
             load,
@@ -66,34 +74,22 @@ impl AxisymmetricCase {
     }
 
     /// Why there is no result.
-    pub(super) fn refused(&self, stop: engine::Stop) -> Refusal {
+    fn refused(&self, stop: Stop) -> Refusal {
         let shell = &self.eye.mesh.shell;
-        let ((xa, ra), (xb, rb)) = (self.eye.at(shell[0]), self.eye.at(shell[1]));
+        let apart = distance(self.eye.at(shell[1]), self.eye.at(shell[0]));
         let object = match &self.load {
-            engine::AxisymmetricLoad::Object(object) => Some(object),
-            engine::AxisymmetricLoad::Pulse(..) => None,
+            AxisymmetricLoad::Object(object) => Some(object),
+            AxisymmetricLoad::Pulse(..) => None,
         };
-        refused(stop, object, (self.eye.level, libm::hypot(xb - xa, rb - ra)))
-    }
-
-    /// Duration of a pulse, in s.
-    pub fn pulse(&self) -> Option<f64> {
-        duration(&self.load)
+        refused(stop, object, (self.eye.level, apart))
     }
 }
 
-/// Why there is no result; of an object that went through the eye what it would have to be, where
-/// nodes of a mesh of some level lie so far `apart`, in m.
-pub(crate) fn refused(
-    stop: engine::Stop,
-    object: Option<&Object>,
-    (level, apart): (u32, f64),
-) -> Refusal {
+/// Why there is no result, where nodes of a mesh of some level lie so far `apart`, in m.
+pub(crate) fn refused(stop: Stop, object: Option<&Object>, (level, apart): (u32, f64)) -> Refusal {
     let (time, object) = match (stop, object) {
-        (engine::Stop::WentThrough(time), Some(object)) => (time * 1e3, object),
-        (engine::Stop::NotFinite { time, step }, _) => {
-            return Refusal::NotFinite { time, step };
-        }
+        (Stop::WentThrough(time), Some(object)) => (time * 1e3, object),
+        (Stop::NotFinite { time, step }, _) => return Refusal::NotFinite { time, step },
         _ => return Refusal::Cancelled,
     };
     let wide = 2.0 * object.outline.radius();
@@ -114,10 +110,11 @@ pub(crate) fn refused(
     Refusal::WentThrough(problem.into())
 }
 
-fn duration(load: &engine::AxisymmetricLoad) -> Option<f64> {
+/// Duration of a pulse, in s.
+pub(crate) fn duration(load: &AxisymmetricLoad) -> Option<f64> {
     match load {
-        engine::AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
-        engine::AxisymmetricLoad::Object(_) => None,
+        AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
+        AxisymmetricLoad::Object(_) => None,
     }
 }
 
@@ -132,15 +129,12 @@ pub(crate) fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
         surround: surround(model),
         ..Parameters::default()
     };
-    let bulk = model.globe_bulk_mpa * 1e6;
-    parameters.vitreous = Material {
-        bulk,
-        shear: model.vitreous_shear_pa,
-        viscosity: model.vitreous_viscosity_pa_s,
-        ..parameters.vitreous
-    };
-    parameters.lens.material =
-        Material { bulk, shear: model.lens_shear_kpa * 1e3, ..parameters.lens.material };
+    let (vitreous, lens) = (&mut parameters.vitreous, &mut parameters.lens.material);
+    vitreous.bulk = model.globe_bulk_mpa * 1e6;
+    vitreous.shear = model.vitreous_shear_pa;
+    vitreous.viscosity = model.vitreous_viscosity_pa_s;
+    lens.bulk = vitreous.bulk;
+    lens.shear = model.lens_shear_kpa * 1e3;
     let shell = &mut parameters.shell;
     shell.sclera_modulus = model.sclera_mpa * 1e6;
     shell.cornea_modulus = model.cornea_mpa * 1e6;
@@ -164,32 +158,26 @@ fn surround(model: &Physiological) -> Option<Surround> {
             model.gelatin_opening_deg,
         ),
     };
-    let mut surround = plain.with_bulk(bulk_mpa * 1e6);
-    surround.material.shear = shear_kpa * 1e3;
-    surround.opening = opening_deg.to_radians();
-    Some(surround)
+    let material = Material { bulk: bulk_mpa * 1e6, shear: shear_kpa * 1e3, ..plain.material };
+    Some(Surround { material, opening: opening_deg.to_radians(), ..plain })
 }
 
 /// The object of a scenario.
 pub(crate) fn object(projectile: &Projectile) -> Object {
     let radius = 0.5e-3 * projectile.diameter_mm;
     let surface = match projectile.surface {
-        Surface::Hard => engine::ObjectSurface::RIGID,
-        Surface::Elastic { modulus_mpa } => {
-            engine::ObjectSurface::elastic(modulus_mpa * 1e6, radius)
-        }
+        Surface::Hard => ObjectSurface::RIGID,
+        Surface::Elastic { modulus_mpa } => ObjectSurface::elastic(modulus_mpa * 1e6, radius),
         Surface::Inflated { kpa, modulus_mpa } => {
             let cap = kpa * 1e3 + inertia(projectile);
-            engine::ObjectSurface::capped(modulus_mpa * 1e6 / radius, cap, radius)
+            ObjectSurface::capped(modulus_mpa * 1e6 / radius, cap, radius)
         }
-        Surface::Splashing => engine::ObjectSurface::splashing(inertia(projectile), radius),
+        Surface::Splashing => ObjectSurface::splashing(inertia(projectile), radius),
     };
     Object {
         outline: match projectile.outline {
-            Outline::Sphere => engine::ObjectOutline::Sphere(radius),
-            Outline::Cylinder { edge_mm } => {
-                engine::ObjectOutline::Cylinder(radius, edge_mm * 1e-3)
-            }
+            Outline::Sphere => ObjectOutline::Sphere(radius),
+            Outline::Cylinder { edge_mm } => ObjectOutline::Cylinder(radius, edge_mm * 1e-3),
         },
         mass: projectile.mass_kg(),
         speed: projectile.speed_m_s,
@@ -203,9 +191,81 @@ pub(crate) fn object(projectile: &Projectile) -> Object {
     }
 }
 
-/// Half the density times the square of the speed, in Pa: what it takes to stop what is crushed or
-/// flattened.
+/// Half the density times the square of the speed, in Pa: what stops what is crushed or flattened.
 fn inertia(projectile: &Projectile) -> f64 {
     let density = projectile.mass_kg() / (PI / 6.0 * projectile.diameter_m().powi(3));
     0.5 * density * projectile.speed_m_s * projectile.speed_m_s
+}
+
+impl EyeModel for AxisymmetricCase {
+    fn rules(&self) -> &'static Rules {
+        &RULES
+    }
+
+    fn window(&self) -> f64 {
+        self.window.most()
+    }
+
+    fn ends_by_itself(&self) -> bool {
+        matches!(self.window, Until::Settled(_))
+    }
+
+    fn level(&self) -> u32 {
+        self.eye.level
+    }
+
+    fn at_level(&self, level: u32) -> Arc<dyn EyeModel> {
+        let eye = AxisymmetricEye::new(&self.eye.parameters, level);
+        Arc::new(Self { limit: step_limit(&eye, &self.load), eye, ..self.clone() })
+    }
+
+    fn regions(&self) -> Vec<Region> {
+        self.eye.node_regions()
+    }
+
+    fn elements(&self) -> usize {
+        self.eye.cells.len()
+    }
+
+    fn step_limit(&self, _: Integrator) -> f64 {
+        self.limit
+    }
+
+    fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
+        let steps = Steps::by(plan, self.limit, &RULES)?;
+        let window = self.window.within(plan.window);
+        let run = run(&self.eye, &self.load, window, steps, keep, watch);
+        let run = run.map_err(|stop| self.refused(stop))?;
+        let extremes = &run.extremes;
+        let readings = readings::of(extremes);
+        Ok(Run {
+            details: readings::details(extremes),
+            flags: flags::raise(self, extremes, &readings, run.simulated),
+            readings,
+            fold: extremes.fold,
+            missed: extremes.missed(),
+            energy_residual: extremes.energy_residual,
+            sectors: None,
+            simulated: run.simulated,
+            traces: run.traces,
+            frames: run.frames,
+            cost: Cost { steps: run.steps, evaluations: run.steps + 1 },
+        })
+    }
+
+    fn frames(
+        &self,
+        plan: &Plan,
+        spacing: Spacing,
+        take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
+    ) -> Result<(), Refusal> {
+        let steps = Steps::by(plan, self.limit, &RULES)?;
+        let window = self.window.within(plan.window);
+        run_through(&self.eye, &self.load, window, steps, spacing, take)
+            .map_err(|stop| self.refused(stop))
+    }
+
+    fn drawing(&self) -> Drawing {
+        drawing::of(self)
+    }
 }

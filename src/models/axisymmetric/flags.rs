@@ -1,13 +1,13 @@
 //! What a reader must know before trusting a result of the axisymmetric eye.
 
+use crate::models::axisymmetric::case::{AxisymmetricCase, duration};
+use crate::models::axisymmetric::recording::results::Extremes;
 use crate::models::axisymmetric::time::until::Until;
-use crate::models::axisymmetric::{case::AxisymmetricCase, recording::results::Extremes};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, PRESSED_FLAT};
 use crate::run::{quantity::Quantity, raised::Raised, readings::Readings};
 use crate::scenario::{TRUSTED_ANGLE_DEG, problem::plain};
 
-/// The share by which the hardest shot of the experiments, a steel ball at 66.5 m/s, shortens the
-/// eye of this model.
+/// The share by which the hardest shot of experiments, a steel ball at 66.5 m/s, shortens this eye.
 const MOST_TESTED: f64 = 0.5;
 
 /// Flags of a run of `simulated` s.
@@ -20,14 +20,12 @@ pub(crate) fn raise(
     let mut raised = Raised::default();
     if case.angle_deg.abs() > TRUSTED_ANGLE_DEG {
         let angle = case.angle_deg;
-        raised.raise(
-            FlagKind::AngleBeyondTrust,
-            format!(
-                "the orbit turns with a blow at {angle} degrees: trust it to {TRUSTED_ANGLE_DEG}"
-            ),
+        let said = format!(
+            "the orbit turns with a blow at {angle} degrees: trust it to {TRUSTED_ANGLE_DEG}"
         );
+        raised.raise(FlagKind::AngleBeyondTrust, said);
     }
-    let asked = Asked { window: case.window, pulse: case.pulse(), rim: case.rim };
+    let asked = Asked { window: case.window, pulse: duration(&case.load), rim: case.rim };
     of_blow(&asked, extremes, (readings, simulated), &mut raised);
     raised.flags()
 }
@@ -56,40 +54,27 @@ pub(crate) fn of_blow(
 ) {
     if extremes.rim_force.value > 0.0 {
         let (rim, force) = (asked.rim, extremes.rim_force);
-        let at = force.time * 1e3;
-        raised.raise_at(
-            force.time,
-            FlagKind::RimStops,
-            format!(
-                "{rim} met the projectile at {at:.3} ms, with {} N",
-                plain(two_digits(force.value))
-            ),
-        );
+        let (at, most) = (force.time * 1e3, plain(two_digits(force.value)));
+        let said = format!("{rim} met the projectile at {at:.3} ms, with {most} N");
+        raised.raise_at(force.time, FlagKind::RimStops, said);
         if extremes.missed() {
             raised.raise(FlagKind::EyeMissed, format!("{rim} kept the projectile off the eye"));
         }
     }
     if let Some(time) = extremes.crushed_at {
         let at = time * 1e3;
-        raised.raise_at(
-            time,
-            FlagKind::SurfaceCrushed,
-            format!(
-                "the object's surface was crushed through at {at:.3} ms: from there on it is as hard as its core"
-            ),
+        let said = format!(
+            "the object's surface was crushed through at {at:.3} ms: from there on it is as hard as its core"
         );
+        raised.raise_at(time, FlagKind::SurfaceCrushed, said);
     }
     let shorter = extremes.shortening;
     if shorter.value > MOST_TESTED {
-        raised.raise_at(
-            shorter.time,
-            FlagKind::BeyondTests,
-            format!(
-                "the eye was shortened by {:.0} %, in no test that it is compared with by more than {:.0} %",
-                100.0 * shorter.value,
-                100.0 * MOST_TESTED
-            ),
+        let (by, most) = (100.0 * shorter.value, 100.0 * MOST_TESTED);
+        let said = format!(
+            "the eye was shortened by {by:.0} %, in no test that it is compared with by more than {most:.0} %"
         );
+        raised.raise_at(shorter.time, FlagKind::BeyondTests, said);
     }
     if let Some(time) = extremes.flat_at {
         let at = time * 1e3;
@@ -98,13 +83,10 @@ pub(crate) fn of_blow(
         } else {
             "a part of the eye was pressed to nothing"
         };
-        raised.raise_at(
-            time,
-            FlagKind::EyeFlat,
-            format!(
-                "{what} at {at:.3} ms: the model ends there, every result is at least so large"
-            ),
+        let said = format!(
+            "{what} at {at:.3} ms: the model ends there, every result is at least so large"
         );
+        raised.raise_at(time, FlagKind::EyeFlat, said);
     } else {
         window(asked, extremes, (readings, simulated), raised);
     }
@@ -119,18 +101,14 @@ fn window(
 ) {
     let end = asked.window.most();
     if let Some(pulse) = asked.pulse.filter(|pulse| end < *pulse) {
-        raised.pulse_cut(end, pulse);
-        return;
+        return raised.pulse_cut(end, pulse);
     }
     if matches!(asked.window, Until::Settled(_)) && simulated >= end {
         let cap = plain((end * 1e9).round() / 1e6);
-        raised.raise_at(
-            end,
-            FlagKind::WindowCapped,
-            format!(
-                "after {cap} ms, the most that window_ms: Auto simulates, a result could still grow"
-            ),
+        let said = format!(
+            "after {cap} ms, the most that window_ms: Auto simulates, a result could still grow"
         );
+        raised.raise_at(end, FlagKind::WindowCapped, said);
     }
     let goes_on = extremes.rebound.filter(|speed| *speed <= 0.0);
     if let Some(speed) = goes_on
@@ -138,21 +116,15 @@ fn window(
         && !extremes.touching
     {
         // The run is over all the same: it is gone.
-        raised.raise(
-            FlagKind::WentPast,
-            format!(
-                "the object went past the globe at {:.0} m/s: what it meets behind is not in the model",
-                -speed
-            ),
+        let speed = -speed;
+        let said = format!(
+            "the object went past the globe at {speed:.0} m/s: what it meets behind is not in the model"
         );
-        return;
+        return raised.raise(FlagKind::WentPast, said);
     }
     if goes_on.is_some() || extremes.touching {
-        raised.raise_at(
-            end,
-            FlagKind::ContactCut,
-            "the window ended before the projectile had left the eye",
-        );
+        let said = "the window ended before the projectile had left the eye";
+        raised.raise_at(end, FlagKind::ContactCut, said);
     }
     let late = Quantity::ALL.iter().find(|of| {
         let peak = readings.peak(**of);

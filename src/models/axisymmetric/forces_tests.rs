@@ -1,17 +1,18 @@
 //! Forces against differences of energy, and closed forms.
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, ShellParameters, Surround};
-use crate::models::axisymmetric::forces::cell::{Rest, least_triangle, volume};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, quarters};
+use crate::models::axisymmetric::forces::cell::{ASSEMBLED, Rest, least_triangle, volume};
+use crate::models::axisymmetric::forces::contact::Target;
 use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{
     BallSpring, HARD, MovingObject, Object, ObjectOutline, ObjectSurface,
 };
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::forces::{plain::PlainCells, rows::CellRows, shell::Shell};
-use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::contact::Target};
 use crate::models::paper::forces::kernel::vector_sets;
-use fearless_simd::Level;
 use proptest::prelude::*;
+use std::f64::consts::PI;
 use std::fmt::Debug;
 use std::sync::LazyLock;
 
@@ -24,17 +25,36 @@ fn free_eye(level: u32) -> AxisymmetricEye {
     eye(None, level)
 }
 
-/// Along the axis and from it, of the nodes of the shell at rest.
-fn shell_at_rest(eye: &AxisymmetricEye) -> (Vec<f64>, Vec<f64>) {
-    eye.mesh.shell.iter().map(|&node| eye.at(node)).unzip()
+/// Of the nodes of the shell at rest all places along the axis, then those from it.
+fn shell_at_rest(eye: &AxisymmetricEye) -> Vec<f64> {
+    let (x, r): (Vec<f64>, Vec<f64>) = eye.mesh.shell.iter().map(|&n| eye.at(n)).unzip();
+    [x, r].concat()
 }
 
-fn sphere(surface: ObjectSurface) -> Object {
+/// What a shell with its nodes at such places stores, their forces, and each segment's tension.
+fn drawn(shell: &Shell, at: &[f64]) -> (f64, Vec<f64>, Vec<[f64; 2]>) {
+    let n = at.len() / 2;
+    let (mut forces, mut tension) = (vec![0.0; 2 * n], vec![[0.0; 2]; n - 1]);
+    let (fx, fr) = forces.split_at_mut(n);
+    let energy = shell.forces(at.split_at(n), (fx, fr), &mut tension).energy;
+    (energy, forces, tension)
+}
+
+/// A hard surface, a foundation of this stiffness on a body of this radius, and one with a cap.
+pub(crate) fn surfaces(stiffness: f64, radius: f64) -> [ObjectSurface; 3] {
+    [
+        ObjectSurface::RIGID,
+        ObjectSurface::foundation(stiffness, radius),
+        ObjectSurface::capped(stiffness, 2e5, radius),
+    ]
+}
+
+pub(crate) fn sphere(surface: ObjectSurface) -> Object {
     Object { outline: ObjectOutline::Sphere(5e-3), mass: 1e-3, speed: 10.0, surface, spring: None }
 }
 
 /// Largest difference of `forces` from minus the slope of `energy`, over the largest force.
-fn worst(at: &[f64], h: f64, forces: &[f64], energy: impl Fn(&[f64]) -> f64) -> f64 {
+pub(crate) fn worst(at: &[f64], h: f64, forces: &[f64], energy: impl Fn(&[f64]) -> f64) -> f64 {
     let largest = forces.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
     let error = (0..at.len()).fold(0.0, |m: f64, i| {
         let mut moved = at.to_vec();
@@ -51,6 +71,10 @@ fn corners(of: &[f64]) -> [(f64, f64); 4] {
     std::array::from_fn(|i| (of[2 * i], of[2 * i + 1]))
 }
 
+fn flat(of: [(f64, f64); 4]) -> [f64; 8] {
+    std::array::from_fn(|i| if i % 2 == 0 { of[i / 2].0 } else { of[i / 2].1 })
+}
+
 proptest! {
     #[test]
     fn a_cells_force_is_minus_the_slope_of_its_energy_and_its_loss_the_power_of_its_viscosity(
@@ -63,29 +87,17 @@ proptest! {
         let eye = &*EYE;
         let cell = &eye.cells[index];
         let rest = Rest::new(eye, cell);
-        let at: Vec<f64> = cell
-            .corners
-            .iter()
-            .flat_map(|&n| [eye.at(n).0, eye.at(n).1])
-            .zip(shifts)
-            .map(|(x, shift)| x + shift)
-            .collect();
+        let at = flat(cell.corners.map(|node| eye.at(node)));
+        let at: [f64; 8] = std::array::from_fn(|i| at[i] + shifts[i]);
         let still = rest.respond(corners(&at), [(0.0, 0.0); 4]);
-        let forces: Vec<f64> = still.force.iter().flat_map(|f| [f.0, f.1]).collect();
-        let energy = |at: &[f64]| rest.respond(corners(at), [(0.0, 0.0); 4]).energy;
-        let error = worst(&at, 1e-8, &forces, energy);
+        let forces = flat(still.force);
+        let error = worst(&at, 1e-8, &forces, |at| rest.energy(corners(at)));
         prop_assert!(error < 1e-5, "{error:e}");
-        prop_assert!((rest.energy(corners(&at)) / still.energy - 1.0).abs() < 1e-9);
         prop_assert_eq!(still.loss, 0.0);
 
-        let v = corners(&speeds);
-        let moving = rest.respond(corners(&at), v);
-        let power: f64 = (0..4)
-            .map(|i| {
-                (still.force[i].0 - moving.force[i].0) * v[i].0
-                    + (still.force[i].1 - moving.force[i].1) * v[i].1
-            })
-            .sum();
+        let moving = rest.respond(corners(&at), corners(&speeds));
+        let resisted = flat(moving.force);
+        let power: f64 = (0..8).map(|i| (forces[i] - resisted[i]) * speeds[i]).sum();
         prop_assert!((power / moving.loss - 1.0).abs() < 1e-8, "{power} {}", moving.loss);
         prop_assert!(moving.loss > 0.0);
     }
@@ -96,20 +108,11 @@ proptest! {
     ) {
         let eye = free_eye(1);
         let shell = Shell::new(&eye);
-        let n = eye.mesh.shell.len();
-        let shift = |i: usize| shifts[i % 32];
-        let at = shell_at_rest(&eye);
-        let at = at.0.into_iter().chain(at.1).enumerate();
-        let at: Vec<f64> = at.map(|(i, x)| x + shift(i)).collect();
-        let respond = |at: &[f64]| {
-            let mut f = vec![0.0; 2 * n];
-            let (fx, fr) = f.split_at_mut(n);
-            let mut tension = vec![[0.0; 2]; n];
-            let at = (&at[..n], &at[n..]);
-            let energy = shell.forces(at, (fx, fr), &mut tension).energy;
-            (energy, f)
-        };
-        let error = worst(&at, 1e-9, &respond(&at).1, |at| respond(at).0);
+        let mut at = shell_at_rest(&eye);
+        for (x, shift) in at.iter_mut().zip(shifts.iter().cycle()) {
+            *x += shift;
+        }
+        let error = worst(&at, 1e-9, &drawn(&shell, &at).1, |at| drawn(&shell, at).0);
         prop_assert!(error < 1e-5, "{error:e}");
     }
 }
@@ -121,12 +124,8 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let n = eye.mesh.shell.len();
     let still = vec![0.0; n];
     let rest = shell_at_rest(&eye);
-    let rest = [rest.0, rest.1].concat();
-    let cylinder = ObjectOutline::Cylinder(5e-3, 1e-3);
-    let soft = ObjectSurface::foundation(1e9, 5e-3);
-    for outline in [ObjectOutline::Sphere(5e-3), cylinder] {
-        let hollow = ObjectSurface::capped(1e9, 2e5, 5e-3);
-        for surface in [ObjectSurface::RIGID, soft, hollow] {
+    for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
+        for surface in surfaces(1e9, 5e-3) {
             for depth in [0.3e-3, 1e-3, 3.4e-3] {
                 let object = Object { outline, ..sphere(surface) };
                 let respond = |at: &[f64]| {
@@ -135,13 +134,8 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
                     projectile.inner();
                     let mut f = vec![0.0; 2 * n];
                     let (fx, fr) = f.split_at_mut(n);
-                    let touch = target.forces(
-                        &object,
-                        &mut projectile,
-                        (&at[..n], &at[n..]),
-                        (&still, &still),
-                        (fx, fr),
-                    );
+                    let (at, still) = (at.split_at(n), (&still[..], &still[..]));
+                    let touch = target.forces(&object, &mut projectile, at, still, (fx, fr));
                     let sum: f64 = fx.iter().sum();
                     assert!((sum + projectile.force[0]).abs() <= 1e-9 * sum.abs());
                     assert!((sum - touch.force).abs() <= 1e-9 * sum.abs());
@@ -186,17 +180,17 @@ fn a_foundation_is_smooth_and_its_cap_holds_until_most_of_its_depth_is_used_up()
     assert_eq!(ObjectSurface::RIGID.stiffness, HARD);
 }
 
-/// How an object comes off a rigid wall: its velocity away from it over that at which it came, its
-/// greatest force, and the error of its balance of energy over what it brought.
-fn bounce(object: &Object, rings: usize) -> (f64, f64, f64) {
+/// How an object comes off a rigid wall: its velocity away from it over that at which it came, the
+/// greatest force of its spring, and the error of its balance of energy over what it brought.
+fn bounce(object: &Object) -> (f64, f64, f64) {
     let mut projectile = MovingObject::new(object, 0.0);
-    let face = Face::wall(0.0, object.outline.radius(), rings);
+    let face = Face::wall(0.0, object.outline.radius(), 200);
     let brought = projectile.kinetic(0.0);
     let (mut lost, mut strongest, mut missing): (f64, f64, f64) = (0.0, 0.0, 0.0);
     loop {
         projectile.inner();
+        strongest = strongest.max(projectile.force[0]);
         let push = face.push(object, &mut projectile);
-        strongest = strongest.max(push.force);
         let longest = 1e-3 * object.outline.radius() / object.speed;
         let step = (0.03 * projectile.limit.min(push.limit)).min(longest);
         let total = projectile.kinetic(step) + projectile.stored() + push.energy + lost;
@@ -216,61 +210,37 @@ fn ball(surface: ObjectSurface) -> Object {
 
 #[test]
 fn every_surface_gives_back_the_square_of_its_restitution_to_a_rigid_wall() {
-    for restitution in [1.0, 0.8, 0.5, 0.3] {
+    for restitution in [1.0, 0.8, 0.5, 0.3, 0.0] {
         for surface in [
             ObjectSurface::foundation(1e9, 20e-3),
             ObjectSurface::capped(1e9, 2e5, 20e-3),
             ObjectSurface::splashing(1e5, 20e-3),
         ] {
             let object = ball(surface.losing(restitution));
-            let (back, _, missing) = bounce(&object, 200);
+            let (back, _, missing) = bounce(&object);
             // The loss is felt in full from a tenth of the speed of arrival on, a hundredth of the
             // energy, and less on the flanks, where the surface gives way more slowly.
             let kept = restitution * restitution;
-            assert!((back * back - kept).abs() < 0.02, "{surface:?} {back}");
+            let off = if restitution > 0.0 { 0.02 } else { 1.0 / 30.0 };
+            assert!((back * back - kept).abs() < off, "{surface:?} {restitution} {back}");
             assert!(missing < 0.01, "{surface:?} {missing}");
         }
     }
 }
 
 #[test]
-fn a_surface_that_gives_nothing_back_keeps_a_thirtieth_of_its_energy_at_most() {
-    let object = ball(ObjectSurface::capped(1e9, 2e5, 20e-3).losing(0.0));
-    let (back, ..) = bounce(&object, 200);
-    assert!(back * back < 1.0 / 30.0, "{back}");
-}
-
-#[test]
 fn a_ball_on_a_spring_presses_a_wall_with_the_root_of_k_m_times_its_speed() {
     let (stiffness, mass, speed) = (2e4, 58e-3, 15.0);
     for restitution in [1.0, 0.6] {
-        let object = Object {
-            outline: ObjectOutline::Sphere(33e-3),
-            mass,
-            speed,
-            surface: ObjectSurface::RIGID,
-            spring: Some(BallSpring { stiffness, restitution }),
-        };
+        let spring = Some(BallSpring { stiffness, restitution });
+        let outline = ObjectOutline::Sphere(33e-3);
+        let object = Object { outline, mass, speed, spring, ..sphere(ObjectSurface::RIGID) };
+        let (back, strongest, missing) = bounce(&object);
         // The surface itself, a twentieth of the mass, stays where it strikes.
-        let mut projectile = MovingObject::new(&object, 0.0);
-        let (mut strongest, mut lost, mut time): (f64, f64, f64) = (0.0, 0.0, 0.0);
-        let brought = projectile.kinetic(0.0);
-        let face = Face::wall(0.0, 33e-3, 200);
-        while time < 6e-3 {
-            projectile.inner();
-            strongest = strongest.max(projectile.force[0]);
-            let push = face.push(&object, &mut projectile);
-            let step = 0.1 * projectile.limit.min(push.limit).min(1e-5);
-            lost += projectile.advance(step, step);
-            time += step;
-            let total = projectile.kinetic(0.0) + projectile.stored() + push.energy + lost;
-            assert!((total / brought - 1.0).abs() < 0.01, "{time} {total}");
-        }
-        let core = 0.95 * mass;
-        let expected = (stiffness * core).sqrt() * speed;
+        let expected = (stiffness * 0.95 * mass).sqrt() * speed;
         assert!((strongest / expected - 1.0).abs() < 0.01, "{strongest} {expected}");
-        let back = -projectile.velocity() / speed;
         assert!((back - 0.95 * restitution).abs() < 0.03, "{back}");
+        assert!(missing < 0.01, "{missing}");
     }
 }
 
@@ -291,11 +261,10 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
     for level in [1, 3, 5] {
         let eye = AxisymmetricEye::new(&parameters, level);
         let grown = 1.01;
-        let (x, r) = shell_at_rest(&eye);
-        let [x, r] = [x, r].map(|of| of.iter().map(|x| x * grown).collect::<Vec<f64>>());
-        let (mut fx, mut fr) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-        let mut tension = vec![[0.0; 2]; x.len() - 1];
-        Shell::new(&eye).forces((&x, &r), (&mut fx, &mut fr), &mut tension);
+        let at: Vec<f64> = shell_at_rest(&eye).iter().map(|x| x * grown).collect();
+        let (_, forces, tension) = drawn(&Shell::new(&eye), &at);
+        let (x, r) = at.split_at(at.len() / 2);
+        let (fx, fr) = forces.split_at(x.len());
         let stress = 138e6 / (1.0 - 0.49) * 0.01;
         for tension in tension.iter().flatten() {
             assert!((tension / stress - 1.0).abs() < 1e-9);
@@ -307,20 +276,12 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
         for i in 1..x.len() - 1 {
             // Work of the pressure on the two cones beside the node, moved outward.
             let out = (x[i] / (12e-3 * grown), r[i] / (12e-3 * grown));
-            let cones = |at: (f64, f64)| {
-                volume([
-                    (x[i - 1], r[i - 1]),
-                    (x[i - 1], 0.0),
-                    (x[i + 1], 0.0),
-                    (x[i + 1], r[i + 1]),
-                    at,
-                ])
-                .0
+            let cones = |by: f64| {
+                let (before, after) = ((x[i - 1], r[i - 1]), (x[i + 1], r[i + 1]));
+                let moved = (x[i] + by * out.0, r[i] + by * out.1);
+                volume([before, (before.0, 0.0), (after.0, 0.0), after, moved]).0
             };
-            let h = 1e-7;
-            let rate = (cones((x[i] + h * out.0, r[i] + h * out.1))
-                - cones((x[i] - h * out.0, r[i] - h * out.1)))
-                / (2.0 * h);
+            let rate = (cones(1e-7) - cones(-1e-7)) / 2e-7;
             let inward = -(fx[i] * out.0 + fr[i] * out.1);
             worst = worst.max((inward / (pressure * rate) - 1.0).abs());
         }
@@ -348,27 +309,12 @@ fn shaken(cells: &dyn Cells, eye: &AxisymmetricEye) -> NodeState {
     state
 }
 
-fn numbers(sums: &CellSums) -> [f64; 6] {
+pub(crate) fn numbers(sums: &CellSums) -> [f64; 6] {
     [sums.limit, sums.loss, sums.pressure, sums.sensor, sums.volume, sums.least_corner]
 }
 
 fn near(what: impl Debug, a: f64, b: f64, scale: f64) {
     assert!((a - b).abs() <= 1e-11 * scale, "{what:?}: {a} {b}");
-}
-
-#[test]
-fn the_cells_gone_through_one_by_one_have_the_least_triangle_of_the_whole() {
-    let eye = free_eye(2);
-    let mut cells = CellRows::new(&eye, Level::new());
-    let mut state = shaken(&cells, &eye);
-    let whole = cells.forces(&mut state).least_corner;
-    let at = |node: usize| {
-        let place = cells.place(node);
-        (state.x[place], state.r[place])
-    };
-    let each = eye.cells.iter().map(|cell| least_triangle(&eye, &cell.corners, at));
-    let least = each.fold(f64::INFINITY, f64::min);
-    assert!(least != 1.0 && (least - whole).abs() < 1e-9, "{least} {whole}");
 }
 
 #[test]
@@ -394,9 +340,14 @@ fn cells_in_rows_do_what_cells_one_by_one_do_on_all_vectors() {
                     near((level, node), state.fx[place], expected.fx[node], largest);
                     near((level, node), state.fr[place], expected.fr[node], largest);
                 }
-                for (a, b) in rows.pressures().iter().zip(plain.pressures()) {
-                    near(level, *a, b, 1e8);
+                let pressures = rows.pressures();
+                assert_eq!(pressures.len(), eye.cells.len());
+                for (a, b) in pressures.into_iter().zip(plain.pressures()) {
+                    near(level, a, b, 1e8);
                 }
+                let at = |node: usize| state.at(rows.place(node));
+                let each = eye.cells.iter().map(|cell| least_triangle(&eye, &cell.corners, at));
+                near(level, each.fold(f64::INFINITY, f64::min), others.least_corner, 1.0);
                 rows.advance(&mut state, 1e-7, 1e-7);
                 if let Some(narrow) = &narrow {
                     assert_eq!(narrow, &state, "{vectors:?}");
@@ -412,42 +363,36 @@ fn a_shell_of_one_thickness_breathes_at_its_closed_frequency() {
     let parameters = free_and_even();
     let eye = AxisymmetricEye::new(&parameters, 2);
     let chain = Shell::new(&eye);
-    let (x0, r0) = shell_at_rest(&eye);
-    let n = x0.len();
+    let rest = shell_at_rest(&eye);
+    let n = rest.len() / 2;
+    let (x0, r0) = rest.split_at(n);
     let mut mass = vec![0.0; n];
     for i in 0..n - 1 {
         let length = (x0[i + 1] - x0[i]).hypot(r0[i + 1] - r0[i]);
-        let along = 1100.0 * 0.5e-3 * std::f64::consts::PI * length / 3.0;
+        let along = 1100.0 * 0.5e-3 * PI * length / 3.0;
         mass[i] += along * (2.0 * r0[i] + r0[i + 1]);
         mass[i + 1] += along * (r0[i] + 2.0 * r0[i + 1]);
     }
     // Of a thin shell without a content: w^2 = 2 E/((1 - nu) rho R^2).
     let frequency = f64::sqrt(2.0 * 138e6 / (0.51 * 1100.0)) / 12e-3;
-    let period = 2.0 * std::f64::consts::PI / frequency;
+    let period = 2.0 * PI / frequency;
     let step = period / 2000.0;
-    let grown = |of: &[f64]| of.iter().map(|x| 1.0001 * x).collect::<Vec<f64>>();
-    let (mut x, mut r) = (grown(&x0), grown(&r0));
-    let (mut vx, mut vr) = (vec![0.0; n], vec![0.0; n]);
-    let mut tension = vec![[0.0; 2]; n];
+    let mut at: Vec<f64> = rest.iter().map(|x| 1.0001 * x).collect();
+    let mut v = vec![0.0; 2 * n];
     // Released at its largest, it passes its rest after a quarter of a period.
-    let equator = n / 2;
-    let mut passed = None;
-    for count in 1..2000 {
-        let (mut fx, mut fr) = (vec![0.0; n], vec![0.0; n]);
-        chain.forces((&x, &r), (&mut fx, &mut fr), &mut tension);
-        for i in 0..n {
-            let kick = if count == 1 { 0.5 * step } else { step } / mass[i];
-            vx[i] += kick * fx[i];
-            vr[i] += if r0[i] == 0.0 { 0.0 } else { kick * fr[i] };
-            x[i] += step * vx[i];
-            r[i] += step * vr[i];
+    let equator = n + n / 2;
+    let mut swing = (1..2000).map(|count| {
+        let (_, forces, _) = drawn(&chain, &at);
+        for i in 0..2 * n {
+            let held = i >= n && rest[i] == 0.0;
+            let kick = if count == 1 { 0.5 * step } else { step } / mass[i % n];
+            v[i] += if held { 0.0 } else { kick * forces[i] };
+            at[i] += step * v[i];
         }
-        if r[equator] < r0[equator] {
-            passed = Some(f64::from(count) * step);
-            break;
-        }
-    }
-    let quarter = passed.expect("it swings back");
+        (f64::from(count) * step, at[equator])
+    });
+    let back = swing.find(|(_, r)| *r < rest[equator]);
+    let quarter = back.expect("it swings back").0;
     assert!((4.0 * quarter / period - 1.0).abs() < 0.02, "{quarter:e} {period:e}");
 }
 
@@ -460,72 +405,34 @@ fn no_cell_at_rest_is_unstable_at_the_step_that_it_allows() {
         let eye = eye(surround, 1);
         for cell in &eye.cells {
             let rest = Rest::new(&eye, cell);
-            let at: Vec<f64> =
-                cell.corners.iter().flat_map(|&node| [eye.at(node).0, eye.at(node).1]).collect();
-            let p = corners(&at);
-            let centre = (
-                0.25 * p.iter().map(|p| p.0).sum::<f64>(),
-                0.25 * p.iter().map(|p| p.1).sum::<f64>(),
-            );
-            let middle = |a: (f64, f64), b: (f64, f64)| (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
+            let p = cell.corners.map(|node| eye.at(node));
+            let at = flat(p);
             // 1/sqrt(mass) of each coordinate; none on the axis, where r is held.
-            let root: Vec<f64> = (0..8)
-                .map(|k| {
-                    let (i, point) = (k / 2, p[k / 2]);
-                    let (after, before) = (p[(i + 1) % 4], p[(i + 3) % 4]);
-                    let quarter = [point, middle(point, after), centre, middle(point, before)];
-                    let mass = rest.density * volume(quarter).0;
-                    let held = k % 2 == 1 && point.1 == 0.0;
-                    if held { 0.0 } else { 1.0 / mass.sqrt() }
-                })
-                .collect();
-            let force = |at: &[f64], v: &[f64]| -> Vec<f64> {
-                let response = rest.respond(corners(at), corners(v));
-                response.force.iter().flat_map(|f| [f.0, f.1]).collect()
-            };
-            let still = [0.0; 8];
-            let largest = |slope: &dyn Fn(usize) -> Vec<f64>| {
-                let columns: Vec<Vec<f64>> = (0..8).map(slope).collect();
+            let root: [f64; 8] = std::array::from_fn(|k| {
+                let held = k % 2 == 1 && p[k / 2].1 == 0.0;
+                if held { 0.0 } else { 1.0 / (rest.material.density * quarters(p)[k / 2]).sqrt() }
+            });
+            // The largest eigenvalue by what each place or velocity, changed by so much, resists.
+            let largest = |dx: f64, dv: f64| {
+                let column = |k: usize| -> Vec<f64> {
+                    let changed = |sign: f64| {
+                        let (mut at, mut v) = (at, [0.0; 8]);
+                        (at[k], v[k]) = (at[k] + sign * dx, sign * dv);
+                        flat(rest.respond(corners(&at), corners(&v)).force)
+                    };
+                    let resisted = changed(-1.0).into_iter().zip(changed(1.0));
+                    resisted.map(|(a, b)| (a - b) / (2.0 * (dx + dv))).collect()
+                };
+                let columns: Vec<_> = (0..8).map(column).collect();
                 let matrix = SMatrix::<f64, 8, 8>::from_fn(|i, k| {
                     0.5 * (columns[k][i] + columns[i][k]) * root[i] * root[k]
                 });
                 matrix.symmetric_eigenvalues().max()
             };
-            let changed = |of: &[f64], k: usize, by: f64| {
-                let mut other = of.to_vec();
-                other[k] += by;
-                other
-            };
-            let (dx, dv) = (1e-8, 1e-6);
-            let square = largest(&|k| {
-                let (a, b) =
-                    (force(&changed(&at, k, -dx), &still), force(&changed(&at, k, dx), &still));
-                a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dx)).collect()
-            });
-            let damping = largest(&|k| {
-                let (a, b) =
-                    (force(&at, &changed(&still, k, -dv)), force(&at, &changed(&still, k, dv)));
-                a.iter().zip(b).map(|(a, b)| (a - b) / (2.0 * dv)).collect()
-            });
-            let h = rest.respond(p, [(0.0, 0.0); 4]).limit;
+            let (square, damping) = (largest(1e-8, 0.0), largest(0.0, 1e-6));
+            let h = rest.respond(p, [(0.0, 0.0); 4]).limit / ASSEMBLED;
             let used = 0.25 * h * h * square + 0.5 * h * damping;
             assert!(used <= 1.0, "{:?} {used}", cell.corners);
         }
     }
-}
-
-#[test]
-fn a_free_globe_has_no_surround_and_a_pulse_no_object_to_meet() {
-    let free = free_eye(1);
-    let held = AxisymmetricEye::new(&Parameters::default(), 1);
-    let globe = |eye: &AxisymmetricEye| {
-        let cells = eye.cells.iter();
-        cells.filter(|c| c.region == crate::models::axisymmetric::eye::Tissue::Globe).count()
-    };
-    assert_eq!(globe(&free), free.cells.len());
-    assert!(globe(&held) < held.cells.len() && free.mesh.wall.is_empty());
-    let mut cells = CellRows::new(&free, Level::new());
-    assert_eq!(cells.pressures().len(), free.cells.len());
-    let mut state = cells.rest();
-    assert!(cells.forces(&mut state).loss == 0.0);
 }

@@ -5,9 +5,8 @@ use crate::run::model::{Detail, Shown};
 use crate::run::readings::{Reading, Readings};
 use crate::run::{places::Monitor, quantity::Quantity};
 
-/// The readings of a run. The paper's S, the growth of the shell's length, is that of the
-/// meridian, which a section shows as the shell; its M is that of the largest diameter across the
-/// blow.
+/// The readings of a run. The paper's S, the growth of the shell's length, is that of the meridian;
+/// its M is that of the largest diameter across the blow.
 pub fn of(e: &Extremes) -> Readings {
     let node = |monitor: Monitor| Some(e.node_force[monitor as usize].into());
     // Without an object there is neither contact nor a way into the eye.

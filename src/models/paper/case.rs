@@ -1,42 +1,15 @@
 //! One scenario compiled: the eye, its load, the rows that the kernel moves, and the step.
 
-use crate::models::paper::recording::recorder::Recorder;
-use crate::models::paper::time::march::{Observer, march};
-use crate::models::paper::{eye::Eye, forces::kernel::Survey, forces::load::ArcLoad};
-use crate::models::paper::{forces::state::State, forces::system::System, recording::Recording};
-use crate::models::pulse::{Piece, Pulse};
+use crate::models::paper::recording::{Recording, recorder::Recorder};
+use crate::models::paper::{eye::Eye, forces::load::ArcLoad, forces::state::State};
+use crate::models::paper::{forces::system::System, time::march::march};
+use crate::models::pulse::Pulse;
 use crate::run::{kept::Keep, plan::Plan, refusal::Refusal, watch::Watch};
 use crate::scenario::{CheckedScenario, EyeInput, ForcePulse};
+use std::ops::ControlFlow;
 
-/// Steps between two calls of a watch.
-const STEPS_BETWEEN_CALLS: usize = 64;
-
-/// Passes everything on to a recorder and calls the watch now and then.
-struct Watched<'a> {
-    recorder: Recorder,
-    watch: Watch<'a>,
-    window: f64,
-    steps: usize,
-    cancelled: bool,
-}
-
-impl Observer for Watched<'_> {
-    fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
-        self.recorder.begin(system, state, piece, survey);
-    }
-
-    fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
-        self.recorder.step(system, state, piece, survey);
-        self.steps += 1;
-        if self.steps.is_multiple_of(STEPS_BETWEEN_CALLS) {
-            self.cancelled = (self.watch)(state.time / self.window).is_break();
-        }
-    }
-
-    fn satisfied(&self) -> bool {
-        self.cancelled || self.recorder.settled()
-    }
-}
+/// Step ends between two calls of a watch.
+const MOMENTS_BETWEEN_CALLS: usize = 64;
 
 /// The section of a scenario, ready to be hit.
 #[derive(Debug, Clone)]
@@ -60,9 +33,8 @@ pub struct PaperCase {
 impl PaperCase {
     /// The same eye and pulse on the mesh of another level.
     pub(super) fn on_level(&self, level: u32) -> Self {
-        let (mut eye, pulse) = self.input.clone();
-        eye.level = level;
-        Self::built((eye, pulse), self.window, (false, false))
+        let (eye, pulse) = self.input.clone();
+        Self::built((EyeInput { level, ..eye }, pulse), self.window, (false, false))
     }
 
     /// Compiles a scenario.
@@ -94,25 +66,37 @@ impl PaperCase {
     /// [`Refusal::NotFinite`] if the motion leaves the finite numbers, [`Refusal::Cancelled`] if
     /// the watch stopped it.
     pub fn record(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Recording, Refusal> {
-        let steps = plan.steps(&self.system.load().pulse);
-        let mut observer = Watched {
-            recorder: Recorder::new(
-                &self.eye,
-                &self.load,
-                &self.system,
-                (self.window, steps),
-                keep,
-            ),
-            watch,
-            window: self.window,
-            steps: 0,
-            cancelled: false,
-        };
+        let mut moments = 0_usize;
+        self.follow(plan, keep, |_, time| {
+            moments += 1;
+            if moments.is_multiple_of(MOMENTS_BETWEEN_CALLS) {
+                watch(time / self.window)
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+    }
+
+    /// The same; `look` is given the recorder at every moment, and the time.
+    pub(super) fn follow(
+        &self,
+        plan: &Plan,
+        keep: Keep,
+        mut look: impl FnMut(&mut Recorder, f64) -> ControlFlow<()>,
+    ) -> Result<Recording, Refusal> {
+        let span = (self.window, plan.steps(&self.system.pulse));
+        let mut recorder = Recorder::new(&self.eye, &self.load, &self.system, span, keep);
         let mut state = self.start.clone();
-        let cost = march(&self.system, plan, &mut state, &mut observer)?;
-        if observer.cancelled {
+        let mut looked = ControlFlow::Continue(());
+        let cost = march(&self.system, plan, &mut state, |now| {
+            recorder.see(&self.system, &now);
+            looked = look(&mut recorder, now.state.time);
+            let settled = !now.starts && recorder.settled();
+            if settled { ControlFlow::Break(()) } else { looked }
+        })?;
+        if looked.is_break() {
             return Err(Refusal::Cancelled);
         }
-        Ok(observer.recorder.finish(&state, cost))
+        Ok(recorder.finish(&state, cost))
     }
 }

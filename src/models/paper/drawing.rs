@@ -12,36 +12,27 @@ use std::f64::consts::TAU;
 /// The drawing of a case.
 pub(crate) fn of(case: &PaperCase) -> Drawing {
     let eye = &case.eye;
-    let level = eye.level as usize;
+    let coarse = |line: usize| line.is_multiple_of(eye.level as usize);
     let node = |(of, node): (usize, &Node)| DrawnNode {
         region: node.region,
-        coarse: node.grid.0.is_multiple_of(level) && node.grid.1.is_multiple_of(level),
+        coarse: coarse(node.grid.0) && coarse(node.grid.1),
         of,
         rest: node.position,
         mirrored: false,
     };
-    let line = |spring: &Spring| {
-        let (ends, region) = ((spring.a, spring.b), part(eye, spring)?);
-        Some(Line { ends, region })
-    };
+    let line = |s: &Spring| Some(Line { ends: (s.a, s.b), region: part(eye, s)? });
     let shell = &eye.landmarks.shell;
-    let loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
-    let next = shell.iter().cycle().skip(1);
+    let is_loaded = |node: usize| case.load.shares.iter().any(|(n, _)| *n == node);
+    let sides = shell.iter().zip(shell.iter().cycle().skip(1));
+    let loaded = sides.filter(|(a, _)| is_loaded(**a));
     Drawing {
         rim: Vec::new(),
         nodes: eye.nodes.iter().enumerate().map(node).collect(),
         lines: eye.springs.iter().filter_map(line).collect(),
         monitors: eye.landmarks.monitors,
-        loaded: shell
-            .iter()
-            .zip(next)
-            .filter(|(a, _)| loaded(**a))
-            .map(|(&a, &b)| (a, if loaded(b) { b } else { a }))
-            .collect(),
-        loaded_until: case.system.load().pulse.duration(),
-        cells: (eye.quads.iter().enumerate())
-            .map(|(of, &corners)| DrawnCell { corners, of })
-            .collect(),
+        loaded: loaded.map(|(&a, &b)| (a, if is_loaded(b) { b } else { a })).collect(),
+        loaded_until: case.system.pulse.duration(),
+        cells: (0..).zip(&eye.quads).map(|(of, &corners)| DrawnCell { corners, of }).collect(),
         outlines: outlines(eye),
         reach: reach(std::iter::empty()),
         along: None,
@@ -88,27 +79,18 @@ fn part(eye: &Eye, spring: &Spring) -> Option<Region> {
     if along + across != 1 || spring.kind == SpringKind::Filament {
         return None;
     }
-    let both = |region| a.region == region && b.region == region;
-    if both(Region::Orbit) {
-        return Some(Region::Orbit);
-    }
-    if both(Region::Retina) {
-        return Some(Region::Retina);
-    }
-    if a.region.on_shell() && b.region.on_shell() {
-        return Some(Region::Shell);
-    }
-    let level = eye.level as usize;
-    let on_coarse_line =
-        if along == 1 { a.grid.1.is_multiple_of(level) } else { a.grid.0.is_multiple_of(level) };
-    if !on_coarse_line {
-        return None;
-    }
-    Some(if both(Region::Lens) {
-        Region::Lens
-    } else if a.region.in_globe() && b.region.in_globe() {
-        Region::Interior
+    let both = |of: fn(Region) -> bool| of(a.region) && of(b.region);
+    let line = if along == 1 { a.grid.1 } else { a.grid.0 };
+    let on_coarse_line = line.is_multiple_of(eye.level as usize);
+    if a.region == b.region && matches!(a.region, Region::Orbit | Region::Retina) {
+        Some(a.region)
+    } else if both(Region::on_shell) {
+        Some(Region::Shell)
+    } else if !on_coarse_line {
+        None
+    } else if a.region == Region::Lens && b.region == Region::Lens {
+        Some(Region::Lens)
     } else {
-        Region::Fat
-    })
+        Some(if both(Region::in_globe) { Region::Interior } else { Region::Fat })
+    }
 }

@@ -5,11 +5,10 @@
 //!   computes many springs at once. `plain` is the same physics as a loop over an edge list: the
 //!   tested reference of the kernel and the baseline of the benchmarks.
 //! * `time`: `march` goes through the window in the steps that a `stepper` makes, a `composition`
-//!   of kicks and drifts or a `runge_kutta` method; `method` has a row for each integrator,
-//!   `stability` bounds the step, and `second` plans the run that tells the step error.
+//!   of kicks and drifts or a `runge_kutta` method; `method` has a row for each integrator.
 //! * `recording`: what is kept of a run.
 //! * `case` compiles a scenario, `model` is the trait [`EyeModel`](crate::run::model::EyeModel);
-//!   `rules`, `readings`, `flags`, `frames` and `drawing` are its parts.
+//!   `rules`, `readings`, `flags` and `drawing` are its parts.
 //!
 //! The bony orbit is rigid and never moves. Left out, as in the paper: rupture.
 
@@ -18,7 +17,6 @@ mod drawing;
 pub mod eye;
 mod flags;
 pub mod forces;
-mod frames;
 mod model;
 mod readings;
 pub mod recording;

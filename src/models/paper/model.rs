@@ -1,12 +1,11 @@
 //! The Paper model behind the trait that every model fills.
 
-use crate::models::paper::time::{second, stability};
-use crate::models::paper::{case::PaperCase, rules::RULES};
-use crate::models::paper::{drawing, flags, frames, readings};
+use crate::models::paper::{case::PaperCase, drawing, flags, readings, rules::RULES};
+use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::watch::Watch;
-use crate::run::{drawing::Drawing, places::Region, plan::Plan, refusal::Refusal, rules::Rules};
+use crate::run::rules::{LONGEST_SHARE, Rules};
+use crate::run::{drawing::Drawing, places::Region, plan::Plan, refusal::Refusal, watch::Watch};
 use crate::scenario::Integrator;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -37,23 +36,56 @@ impl EyeModel for PaperCase {
     }
 
     fn elements_per_evaluation(&self) -> usize {
-        self.system.springs_per_evaluation()
+        self.system.springs_per_evaluation
     }
 
     fn step_limit(&self, integrator: Integrator) -> f64 {
-        stability::step_limit(integrator, &self.system)
+        integrator.method().step_limit(&self.system)
     }
 
     fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.longest_step(&self.system.load().pulse)
+        plan.longest_step(&self.system.pulse)
     }
 
     fn steps(&self, plan: &Plan) -> usize {
-        plan.steps(&self.system.load().pulse)
+        plan.steps(&self.system.pulse)
     }
 
     fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
-        second::plan(self, plan)
+        let order = self.order(plan.integrator);
+        let (ratio, safety) = (RULES.estimate.ratio, RULES.estimate.safety);
+        let segments = self.system.pulse.segments(plan.window);
+        let coarser = Plan { step: plan.step * ratio, ..*plan };
+        let finer = Plan {
+            multiple: plan.multiple * ratio,
+            local_tolerance: plan.local_tolerance * 0.1,
+            ..*plan
+        };
+        let steps = |plan: &Plan, loaded: bool| -> usize {
+            let counted = segments.iter().filter(|s| !loaded || s.piece != Piece::Nothing);
+            counted.map(|s| plan.steps_in(s)).sum()
+        };
+        // A coarser run is cheaper, but tells nothing if the load or short segments take the same
+        // steps.
+        let telling = |loaded: bool| {
+            steps(plan, loaded) as f64 > 0.5 * (1.0 + ratio) * steps(&coarser, loaded) as f64
+        };
+        let longest = LONGEST_SHARE * self.step_limit(plan.integrator);
+        let coarser_tells = coarser.step <= longest * (1.0 + 1e-9)
+            && !segments.iter().any(|s| coarser.at_least_steps(s))
+            && telling(true)
+            && telling(false);
+        if plan.integrator.method().adaptive() {
+            // Its error follows the tolerance, unless the longest step binds; a finer run shows
+            // both.
+            (finer, safety)
+        } else if coarser_tells {
+            (coarser, safety / (ratio.powi(order) - 1.0))
+        } else {
+            let gains = segments.iter().map(|s| finer.steps_in(s) as f64 / plan.steps_in(s) as f64);
+            let least = gains.fold(f64::INFINITY, f64::min);
+            (finer, safety / (1.0 - least.powi(-order)))
+        }
     }
 
     fn run(&self, plan: &Plan, keep: Keep, watch: Watch) -> Result<Run, Refusal> {
@@ -80,10 +112,37 @@ impl EyeModel for PaperCase {
         spacing: Spacing,
         take: &mut dyn FnMut(Frame) -> ControlFlow<()>,
     ) -> Result<(), Refusal> {
-        frames::frames(self, plan, spacing, take)
+        let keep = Keep { traces: false, frames: Some(spacing) };
+        // The steps of the plan that was found good: the same digits as those that it kept.
+        self.follow(plan, keep, |recorder, _| recorder.taken().try_for_each(&mut *take))?;
+        Ok(())
     }
 
     fn drawing(&self) -> Drawing {
         drawing::of(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::solve::tests::answered_with;
+    use crate::scenario::library::tests::preset;
+
+    #[test]
+    fn the_same_frames_come_one_by_one_as_are_kept() {
+        let spacing = Spacing::even(1e-5);
+        let keep = Keep { traces: false, frames: Some(spacing) };
+        let kept = answered_with(&preset("paper-300n", &[("window_ms", "0.2")]), keep);
+        let mut streamed = Vec::new();
+        let take = &mut |frame| {
+            streamed.push(frame);
+            ControlFlow::Continue(())
+        };
+        kept.case.frames(&kept.plan, spacing, take).unwrap();
+        assert_eq!(streamed.len(), 21);
+        assert_eq!(streamed, kept.run.frames);
+        let stop = &mut |_| ControlFlow::Break(());
+        assert!(matches!(kept.case.frames(&kept.plan, spacing, stop), Err(Refusal::Cancelled)));
     }
 }

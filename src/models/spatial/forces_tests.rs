@@ -1,11 +1,10 @@
 //! Forces against differences of energy, rigid motion, and what is the same for all vectors.
 
-#![expect(clippy::needless_range_loop, reason = "corners and components go together")]
-
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
-use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::forces_tests::{numbers, sphere, surfaces, worst as worst_of};
 use crate::models::paper::forces::kernel::vector_sets;
-use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
+use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim, point::Nodes};
 use crate::models::spatial::forces::cell::{self, Eight, Fields};
 use crate::models::spatial::forces::state::{Cells, NodeState, vector};
 use crate::models::spatial::forces::{contact::Target, math::Plain, object::MovingObject};
@@ -14,6 +13,7 @@ use crate::scenario;
 use fearless_simd::Level;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
@@ -23,14 +23,14 @@ fn eye(surround: Option<Surround>, extent: Extent) -> SpatialEye {
 
 /// A state whose nodes have gone somewhere, as a function of where they rest.
 fn moved(eye: &SpatialEye, to: impl Fn(Vector3<f64>) -> Vector3<f64>) -> NodeState {
-    let mut state = NodeState::new(eye);
-    for (node, at) in eye.mesh.at.iter().enumerate() {
-        let to = to(*at);
-        for k in 0..3 {
-            state.at[k][node] = to[k];
-        }
-    }
-    state
+    let at = by_component(eye.mesh.at.iter().map(|at| to(*at)));
+    NodeState { at, ..NodeState::new(eye) }
+}
+
+/// Vectors of all nodes, by component.
+fn by_component(of: impl Iterator<Item = Vector3<f64>>) -> Nodes {
+    let of: Vec<_> = of.collect();
+    std::array::from_fn(|k| of.iter().map(|of| of[k]).collect())
 }
 
 /// A displacement without any order, as large as `size`.
@@ -45,8 +45,7 @@ fn largest(force: &[Vec<f64>; 3]) -> f64 {
     force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()))
 }
 
-/// Largest difference of the force on some nodes from minus the slope of `energy`, over the
-/// largest force.
+/// [`worst_of`] of some nodes.
 fn worst(
     state: &NodeState,
     nodes: impl Iterator<Item = usize>,
@@ -86,26 +85,13 @@ proptest! {
         });
         let v: Eight<f64> = std::array::from_fn(|i| std::array::from_fn(|k| speeds[3 * i + k]));
         let still = cell::respond(Plain, Fields::of(&c), &p, &[[0.0; 3]; 8]);
-        let largest = still.force.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
-        for i in 0..8 {
-            for k in 0..3 {
-                let at = |by: f64| {
-                    let mut p = p;
-                    p[i][k] += by;
-                    cell::energy(&c, &p)
-                };
-                let slope = (at(1e-8) - at(-1e-8)) / 2e-8;
-                prop_assert!((still.force[i][k] + slope).abs() < 1e-5 * largest);
-            }
-        }
+        let energy = |at: &[f64]| cell::energy(&c, at.as_chunks().0.try_into().unwrap());
+        let error = worst_of(p.as_flattened(), 1e-8, still.force.as_flattened(), energy);
+        prop_assert!(error < 1e-5, "{error:e}");
         prop_assert_eq!(still.loss, 0.0);
         let moving = cell::respond(Plain, Fields::of(&c), &p, &v);
-        let mut power = 0.0;
-        for i in 0..8 {
-            for k in 0..3 {
-                power += (still.force[i][k] - moving.force[i][k]) * v[i][k];
-            }
-        }
+        let forces = still.force.iter().flatten().zip(moving.force.iter().flatten());
+        let power: f64 = forces.zip(v.as_flattened()).map(|((a, b), v)| (a - b) * v).sum();
         prop_assert!((power / moving.loss - 1.0).abs() < 1e-8, "{power} {}", moving.loss);
         prop_assert!(moving.loss > 0.0);
     }
@@ -140,12 +126,8 @@ fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
     let turn = Rotation3::from_euler_angles(0.3, -0.7, 1.1);
     let mut state = moved(&eye, |at| turn * at + Vector3::new(1e-3, 2e-3, -3e-3));
     let spin = Vector3::new(500.0, -300.0, 800.0);
-    for node in 0..eye.mesh.at.len() {
-        let speed = spin.cross(&vector(&state.at, node)) + Vector3::new(3.0, 4.0, 5.0);
-        for k in 0..3 {
-            state.speed[k][node] = speed[k];
-        }
-    }
+    let speed = |node| spin.cross(&vector(&state.at, node)) + Vector3::new(3.0, 4.0, 5.0);
+    state.speed = by_component((0..eye.mesh.at.len()).map(speed));
     let mut cells = PlainCells::new(&eye);
     let sums = cells.forces(&mut state);
     let shell = Shell::new(&eye, Level::new()).forces(&mut state);
@@ -157,36 +139,21 @@ fn moving_turning_and_spinning_as_a_whole_is_felt_by_nothing() {
 
 #[test]
 fn an_affine_change_of_shape_is_in_balance_everywhere_inside() {
-    let eye = SpatialEye::with_core(
-        &Parameters {
-            surround: None,
-            lens: crate::models::axisymmetric::eye::parameters::LensParameters {
-                half_axes: (1e-9, 1e-9),
-                ..Parameters::default().lens
-            },
-            ..Parameters::default()
-        },
-        None,
-        Extent::Full,
-        4,
-    );
+    let mut free = Parameters { surround: None, ..Parameters::default() };
+    free.lens.half_axes = (1e-9, 1e-9);
+    let eye = SpatialEye::new(&free, None, Extent::Full, 1);
     let by = Matrix3::new(1.1, 0.05, -0.02, 0.03, 0.95, 0.04, -0.06, 0.01, 1.02);
     // Without a change of volume: corners that see one push on their nodes by their shapes.
     let by = by / libm::cbrt(by.determinant());
     let mut state = moved(&eye, |at| by * at);
     let mut cells = PlainCells::new(&eye);
     cells.forces(&mut state);
-    let shell: std::collections::BTreeSet<usize> =
-        eye.quads.iter().flat_map(|quad| quad.corners).collect();
-    let size = |node: usize| vector(&state.force, node).norm();
-    let (mut inside, mut outside) = (0.0_f64, 0.0_f64);
-    for node in 0..eye.mesh.at.len() {
-        if shell.contains(&node) {
-            outside = outside.max(size(node));
-        } else {
-            inside = inside.max(size(node));
-        }
-    }
+    let shell: BTreeSet<usize> = eye.quads.iter().flat_map(|quad| quad.corners).collect();
+    let largest = |on_shell: bool| {
+        let nodes = (0..eye.mesh.at.len()).filter(|node| shell.contains(node) == on_shell);
+        nodes.map(|node| vector(&state.force, node).norm()).fold(0.0, f64::max)
+    };
+    let (inside, outside) = (largest(false), largest(true));
     // What rounding leaves of the corners' stiffness.
     assert!(inside < 1e-10 && outside > 1e5 * inside, "{inside:e} {outside:e}");
 }
@@ -196,11 +163,8 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
     for extent in [Extent::Half, Extent::Full] {
         let eye = eye(Some(Surround::orbit()), extent);
         let mut state = moved(&eye, |at| scattered(at, 1.5e-4));
-        for k in 0..3 {
-            for node in 0..eye.mesh.at.len() {
-                state.speed[k][node] = 2e5 * (state.at[k][node] - eye.mesh.at[node][k]);
-            }
-        }
+        let speed = |node| (vector(&state.at, node) - eye.mesh.at[node]) * 2e5;
+        state.speed = by_component((0..eye.mesh.at.len()).map(speed));
         let mut plain = state.clone();
         let sums = PlainCells::new(&eye).forces(&mut plain);
         let mut pressures = Vec::new();
@@ -208,25 +172,17 @@ fn all_vectors_and_the_plain_loop_give_the_same() {
             let mut rows = CellRows::new(&eye, level);
             let mut own = state.clone();
             let told = rows.forces(&mut own);
-            let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
-            assert!(near(told.limit, sums.limit) && near(told.loss, sums.loss));
-            assert!(near(told.pressure, sums.pressure) && near(told.sensor, sums.sensor));
-            assert!(near(told.volume, sums.volume));
-            assert!(near(told.least_corner, sums.least_corner));
+            for (a, b) in numbers(&told).into_iter().zip(numbers(&sums)) {
+                assert!((a / b - 1.0).abs() < 1e-9, "{level:?} {a} {b}");
+            }
             let largest = largest(&plain.force);
-            for k in 0..3 {
-                for (a, b) in own.force[k].iter().zip(&plain.force[k]) {
-                    assert!((a - b).abs() < 1e-11 * largest, "{level:?}");
-                }
+            for (a, b) in own.force.iter().flatten().zip(plain.force.iter().flatten()) {
+                assert!((a - b).abs() < 1e-11 * largest, "{level:?}");
             }
             pressures.push(rows.pressures());
         }
         assert!(pressures.windows(2).all(|pair| pair[0] == pair[1]));
     }
-}
-
-fn object(outline: ObjectOutline, surface: ObjectSurface) -> Object {
-    Object { outline, mass: 1e-3, speed: 10.0, surface, spring: None }
 }
 
 #[test]
@@ -235,13 +191,9 @@ fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surfac
     let way = Vector3::new(1.0, -0.5, 0.3).normalize();
     let mut target = Target::new(&eye, 0.0);
     for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
-        for surface in [
-            ObjectSurface::RIGID,
-            ObjectSurface::foundation(1e9, 5e-3),
-            ObjectSurface::capped(1e9, 2e5, 5e-3),
-        ] {
+        for surface in surfaces(1e9, 5e-3) {
             for depth in [0.3e-3, 1.5e-3, 3.4e-3] {
-                let object = object(outline, surface);
+                let object = Object { outline, ..sphere(surface) };
                 let at = way * (depth - 12e-3 - object.reach());
                 let mut respond = |state: &NodeState| {
                     let mut state = state.clone();
@@ -276,12 +228,8 @@ fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
     let eye = SpatialEye::new(&parameters, rim, Extent::Full, 1);
     let rim = Rim::new(&eye).unwrap();
     for outline in [ObjectOutline::Sphere(20e-3), ObjectOutline::Cylinder(20e-3, 2e-3)] {
-        for surface in [
-            ObjectSurface::RIGID,
-            ObjectSurface::foundation(1e8, 20e-3),
-            ObjectSurface::capped(1e8, 2e5, 20e-3),
-        ] {
-            let object = object(outline, surface);
+        for surface in surfaces(1e8, 20e-3) {
+            let object = Object { outline, ..sphere(surface) };
             let way = Vector3::new(1.0, -0.3, -0.2).normalize();
             let touch = rim.first_touch(outline, (way, Vector3::zeros())).unwrap();
             for depth in [0.5e-3, 3e-3] {
@@ -293,13 +241,9 @@ fn bone_pushes_an_object_by_minus_the_slope_of_what_it_stores() {
                 let at = way * (touch + depth);
                 let own = push(at);
                 assert!(own.force.dot(&way) < 0.0 && own.limit > 0.0);
-                for k in 0..3 {
-                    let mut by = Vector3::zeros();
-                    by[k] = 1e-7;
-                    let slope = (push(at + by).energy - push(at - by).energy) / 2e-7;
-                    let error = (own.force[k] + slope).abs() / own.force.norm();
-                    assert!(error < 2e-2, "{outline:?} {surface:?} {depth} {error}");
-                }
+                let energy = |at: &[f64]| push(Vector3::from_column_slice(at)).energy;
+                let error = worst_of(at.as_slice(), 1e-7, own.force.as_slice(), energy);
+                assert!(error < 2e-2, "{outline:?} {surface:?} {depth} {error}");
             }
             assert_eq!(rim.first_touch(outline, (way, Vector3::y() * 0.2)), None);
         }

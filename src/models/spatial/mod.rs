@@ -3,12 +3,13 @@
 //! * `eye`: the mesh of a ball, whole or half, the orbit around it, and what it is made of.
 //! * `forces`: `math` lets each law be written once, for one number or a vector of them; `cell` and
 //!   `corner` are the mechanics of one cell, `rows` runs them over many, `plain` one by one;
-//!   `shell` and `hinge` are cornea and sclera, `object` and `contact` what hits them, `rim` and
-//!   `bone` what stops the object and the globe.
+//!   `shell` and `hinge` are cornea and sclera, `object` and `contact` what hits them, `rim` the
+//!   bone that stops the object and the globe.
 //! * `time`: the leapfrog through the window.
 //! * `recording`: `record`, `shape`, `tissue` and `sensor` read off what `results` keeps.
-//! * `case` is an eye ready to be hit, `model` the trait [`EyeModel`](crate::run::model::EyeModel);
-//!   `rules`, `readings`, `flags` and `drawing` are its parts.
+//! * `case` is an eye ready to be hit, which fills the trait
+//!   [`EyeModel`](crate::run::model::EyeModel); `rules`, `readings` and `drawing` are its
+//!   parts.
 //!
 //! Tissues, the surfaces of objects and the measures of injury are those of
 //! [`axisymmetric`](crate::models::axisymmetric): straight on and on a round support both models
@@ -17,22 +18,12 @@
 pub mod case;
 mod drawing;
 pub mod eye;
-mod flags;
 pub(crate) mod forces;
 #[cfg(test)]
 mod forces_tests;
-mod model;
 mod readings;
 pub mod recording;
 pub(crate) mod rules;
 #[cfg(test)]
 mod run_tests;
 pub mod time;
-
-pub use crate::models::axisymmetric::time::march::STEP_SHARE;
-pub use crate::models::spatial::case::{Scene, SpatialCase};
-pub use crate::models::spatial::eye::mesh::Extent;
-pub use crate::models::spatial::eye::orbit::OrbitRim;
-pub use crate::models::spatial::forces::object::Aim;
-pub use crate::models::spatial::recording::results::{EngineRun, Extremes};
-pub use crate::models::spatial::time::run::{SpatialBlow, run, run_as, run_through, step_limit};

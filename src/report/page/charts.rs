@@ -6,8 +6,11 @@ use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
 use crate::injury::Blow;
-use crate::report::format::significant;
-use crate::run::{quantity::Quantity, result_trace::Group, trace::OtherTrace, trace::Trace};
+use crate::many::comparison::Entry;
+use crate::plain_text::printable;
+use crate::report::format::trimmed;
+use crate::run::trace::{OtherTrace, TRACES, Trace};
+use crate::run::{quantity::Quantity, result_trace::Group};
 
 const SIZE: (u32, u32) = (460, 210);
 /// Points of a curve, beyond which each stands for the extremes of several.
@@ -22,19 +25,15 @@ const COLOURS: [RGBColor; 6] = [
     RGBColor(86, 180, 233),
 ];
 
-/// A curve and what it is called.
-pub struct PlottedCurve {
-    pub name: String,
-    pub points: Vec<(f64, f64)>,
-}
+/// What a curve is called, and its points.
+type Curve = (String, Vec<(f64, f64)>);
 
-/// A chart.
 pub struct PageChart {
     pub across: &'static str,
     pub up: String,
-    pub curves: Vec<PlottedCurve>,
+    curves: Vec<Curve>,
     /// Points that stand out, each in the colour of its curve.
-    pub marks: Vec<(usize, (f64, f64))>,
+    marks: Vec<(usize, (f64, f64))>,
 }
 
 /// The range of numbers, 0 among them, with some room above.
@@ -47,11 +46,13 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
 }
 
 impl PageChart {
+    fn over_time(up: &str, curves: Vec<Curve>) -> Self {
+        Self { across: "ms", up: up.to_owned(), curves, marks: Vec::new() }
+    }
+
     /// Draws it; nothing if there is nothing to draw.
     pub fn svg(&self) -> Option<String> {
-        if self.curves.iter().all(|curve| curve.points.is_empty()) {
-            return None;
-        }
+        self.curves.iter().find(|(_, points)| !points.is_empty())?;
         let mut text = String::new();
         // A string takes whatever is drawn.
         self.draw(&mut text).ok()?;
@@ -64,17 +65,15 @@ impl PageChart {
     /// The names of its curves with the colour of each, to stand where they hide nothing; none of a
     /// single curve, which the title names.
     pub fn names(&self) -> Vec<(&str, String)> {
-        let css = |i: usize| {
-            let RGBColor(red, green, blue) = COLOURS[i % COLOURS.len()];
-            format!("color:rgb({red},{green},{blue})")
-        };
-        let curves = self.curves.iter().enumerate();
-        let named = curves.map(|(i, curve)| (curve.name.as_str(), css(i)));
+        let css =
+            |RGBColor(red, green, blue): &RGBColor| format!("color:rgb({red},{green},{blue})");
+        let coloured = self.curves.iter().zip(COLOURS.iter().cycle());
+        let named = coloured.map(|((name, _), colour)| (name.as_str(), css(colour)));
         named.filter(|_| self.curves.len() > 1).collect()
     }
 
     fn draw(&self, text: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
-        let points = || self.curves.iter().flat_map(|curve| &curve.points);
+        let points = || self.curves.iter().flat_map(|(_, points)| points);
         let marks = || self.marks.iter().map(|(_, point)| point);
         let across = points().chain(marks()).map(|(x, _)| *x);
         let across = across.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
@@ -97,18 +96,12 @@ impl PageChart {
             .x_label_formatter(&|x| short(*x))
             .y_label_formatter(&|y| short(*y))
             .draw()?;
-        for (i, curve) in self.curves.iter().enumerate() {
-            let colour = COLOURS[i % COLOURS.len()];
-            chart.draw_series(LineSeries::new(
-                curve.points.iter().copied(),
-                colour.stroke_width(2),
-            ))?;
+        for ((_, points), colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
+            let points = points.iter().copied();
+            chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
         }
-        let dots = self
-            .marks
-            .iter()
-            .map(|(curve, point)| Circle::new(*point, 4, COLOURS[curve % COLOURS.len()].filled()));
-        chart.draw_series(dots)?;
+        let dot = |&(curve, point): &(usize, _)| Circle::new(point, 4, COLOURS[curve].filled());
+        chart.draw_series(self.marks.iter().map(dot))?;
         root.present()?;
         Ok(())
     }
@@ -116,23 +109,14 @@ impl PageChart {
 
 /// A number on an axis.
 fn short(value: f64) -> String {
-    if value.abs() < 1e-12 {
-        return "0".to_owned();
-    }
-    let text = significant(value);
-    if text.contains('.') && !text.contains('e') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    text
+    if value.abs() < 1e-12 { "0".to_owned() } else { trimmed(value) }
 }
 
 /// The course of something in an answer, in ms and its unit, thinned without losing a peak.
-fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
+fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
     let traces = answer.run.traces.as_ref()?;
     let (row, values) = (course.row(), course.values(traces));
-    if values.iter().all(|value| *value == 0.0) {
-        return None;
-    }
+    values.iter().find(|value| **value != 0.0)?;
     let all: Vec<(f64, f64)> =
         traces.time.iter().zip(values).map(|(t, value)| (t * 1e3, value * row.factor)).collect();
     let each = (2 * all.len()).div_ceil(MOST_POINTS).max(1);
@@ -145,47 +129,36 @@ fn curve(answer: &Answer, course: Trace) -> Option<PlottedCurve> {
         ends.dedup();
         points.extend(ends.into_iter().copied());
     }
-    Some(PlottedCurve { name: course.label(traces).to_owned(), points })
+    Some((course.label(traces).to_owned(), points))
 }
 
 /// What drives the eye, and the forces of the monitored nodes where no object presses on it: beside
 /// that force they would be flat lines.
 pub fn forces(answer: &Answer) -> PageChart {
     let hit = answer.result(Quantity::Contact).is_some();
-    let nodes = crate::run::trace::TRACES.iter().copied();
+    let nodes = TRACES.iter().copied();
     let nodes = nodes.filter(|course| !hit && course.row().place.0 == Group::NodeForces);
     let courses = [Trace::Other(OtherTrace::Drive)].into_iter().chain(nodes);
-    PageChart {
-        across: "ms",
-        up: "force, N".to_owned(),
-        curves: courses.filter_map(|course| curve(answer, course)).collect(),
-        marks: Vec::new(),
-    }
+    let curves = courses.filter_map(|course| curve(answer, course)).collect();
+    PageChart::over_time("force, N", curves)
 }
 
 /// The pressure where the eye has one, else how far the apex moved.
 pub fn motion(answer: &Answer) -> PageChart {
-    let of = [Quantity::Pressure, Quantity::Apex];
-    let found = of.into_iter().find_map(|of| {
-        let name = format!("{}, {}", of.row().label, of.row().unit);
-        Some((name, curve(answer, Trace::Of(of))?))
-    });
-    let (up, curves) = found.map_or_else(Default::default, |(up, curve)| (up, vec![curve]));
-    PageChart { across: "ms", up, curves, marks: Vec::new() }
+    let of = |of: &Quantity| Some((of.row(), curve(answer, Trace::Of(*of))?));
+    let found = [Quantity::Pressure, Quantity::Apex].iter().find_map(of);
+    let up = found.as_ref().map(|(row, _)| format!("{}, {}", row.label, row.unit));
+    let curves = found.into_iter().map(|(_, curve)| curve).collect();
+    PageChart::over_time(&up.unwrap_or_default(), curves)
 }
 
 /// What drives the eye in each of several answers.
-pub fn drives(answers: &[(String, &Answer)]) -> PageChart {
-    let one = |(name, answer): &(String, &Answer)| {
-        let curve = curve(answer, Trace::Other(OtherTrace::Drive))?;
-        Some(PlottedCurve { name: name.clone(), ..curve })
+pub fn drives(entries: &[Entry]) -> PageChart {
+    let one = |entry: &Entry| {
+        let (_, points) = curve(entry.answer()?, Trace::Other(OtherTrace::Drive))?;
+        Some((printable(&entry.name).into_owned(), points))
     };
-    PageChart {
-        across: "ms",
-        up: "force on the eye, N".to_owned(),
-        curves: answers.iter().filter_map(one).collect(),
-        marks: Vec::new(),
-    }
+    PageChart::over_time("force on the eye, N", entries.iter().filter_map(one).collect())
 }
 
 /// The risk of each injury over what its tissue feels as a share of what brings 50 %, and the blow,
@@ -201,10 +174,7 @@ pub fn injuries(answer: &Answer) -> PageChart {
             let share = 0.02 * f64::from(k);
             (share, 100.0 * risk.injury.risk(&of_tissue, share * half))
         };
-        curves.push(PlottedCurve {
-            name: risk.injury.name().to_owned(),
-            points: (0..=100).map(point).collect(),
-        });
+        curves.push((risk.injury.name().to_owned(), (0..=100).map(point).collect()));
         marks.push((i, (at, 100.0 * risk.risk)));
     }
     PageChart {
@@ -224,7 +194,7 @@ mod tests {
         let chart = |points: Vec<(f64, f64)>| PageChart {
             across: "ms",
             up: "force, N".to_owned(),
-            curves: vec![PlottedCurve { name: "a < b".to_owned(), points }],
+            curves: vec![("a < b".to_owned(), points)],
             marks: vec![(0, (1.0, 2.0))],
         };
         let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();

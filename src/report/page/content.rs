@@ -1,16 +1,16 @@
 //! The words and rows of a page, whatever it is written as.
 
-use crate::answer::solve::Answer;
-use crate::injury::CURVES;
+use crate::answer::solve::{Answer, Errors};
+use crate::injury::{CURVES, SIGNS};
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
-use crate::report::figure::{Figure, cut_word};
-use crate::report::format::{capital, percent};
-use crate::report::text::remark;
+use crate::report::figure::{Figure, cut_before, with_unit};
+use crate::report::format::{capital, or_dash, percent};
+use crate::report::{risks::legend, text::remark};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
-use crate::scenario::fields::{FIELDS, Kind, find};
+use crate::scenario::fields::{FIELDS, Field, Kind, find};
 
 /// Where the model comes from.
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
@@ -21,14 +21,12 @@ const LIVELY: f64 = 0.6e-3;
 
 /// What a run must keep for a page: traces, and the frames of its replay.
 pub fn keep(scenario: &Scenario) -> Keep {
-    Keep {
-        traces: true,
-        frames: Some(match scenario.known_window_ms() {
-            Some(window) => spacing(window * 1e-3, FRAMES),
-            // Of these the page takes as many as of others.
-            None => Spacing::doubling(2 * FRAMES as u32, 0.5 * LIVELY / FRAMES),
-        }),
-    }
+    let frames = match scenario.known_window_ms() {
+        Some(window) => spacing(window * 1e-3, FRAMES),
+        // Of these the page takes as many as of others.
+        None => Spacing::doubling(2 * FRAMES as u32, 0.5 * LIVELY / FRAMES),
+    };
+    Keep { traces: true, frames: Some(frames) }
 }
 
 /// The times of the frames of a replay; `window` is in s.
@@ -43,10 +41,12 @@ pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
     }
 }
 
-/// The version that answered.
-pub(super) fn version() -> String {
+/// The version that answered, and what counts more than any result.
+pub(super) fn closing(entries: &[Entry]) -> String {
     let commit = crate::report::commit().map(|commit| format!(", commit {commit}"));
-    format!("contrecoup {}{}", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default())
+    let (version, commit) = (env!("CARGO_PKG_VERSION"), commit.unwrap_or_default());
+    let bb = legend(entries.iter().filter_map(Entry::answer)).map(|bb| capital(bb) + ". ");
+    format!("contrecoup {version}{commit}. {}{SIGNS}", bb.unwrap_or_default())
 }
 
 /// What is asked of a blow: the fields of impact and model, and whatever else is not as usual.
@@ -60,56 +60,34 @@ pub(super) fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
     }
     let worth = |path: &str, text: &String| {
         let own = path == "model" || path.starts_with("impact");
-        let usual = find(path).and_then(|field| field.text(&usual));
-        own || usual.is_none_or(|usual| usual != *text)
+        own || find(path).and_then(|field| field.text(&usual)).as_ref() != Some(text)
     };
-    let asked = FIELDS.iter().filter(|field| field.path != "name");
-    asked
-        .filter_map(|field| {
-            let text = field.text(scenario).filter(|text| worth(field.path, text))?;
-            let text = format!("{} {}", printable(&text), field.unit);
-            Some((field.label, text.trim_end().to_owned()))
-        })
-        .collect()
+    let asked = |field: &Field| {
+        let text = field.text(scenario).filter(|text| worth(field.path, text))?;
+        Some((field.label, with_unit(&printable(&text), field.unit)))
+    };
+    FIELDS.iter().filter(|field| field.path != "name").filter_map(asked).collect()
 }
 
-/// A result as a row: name, value with as many digits as its errors allow, when, and both errors.
-pub(super) struct ResultRow {
-    pub(super) name: String,
-    pub(super) value: String,
-    pub(super) unit: &'static str,
-    pub(super) at: String,
-    pub(super) step: String,
-    pub(super) mesh: String,
-}
-
-pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<ResultRow> {
-    let errors = &answer.errors;
+/// A result as a row: name, value with as many digits as its errors allow, unit, when, and both
+/// errors.
+pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<[String; 6]> {
+    let Errors { time_step, mesh, .. } = &answer.errors;
     let row = |(of, _): (Quantity, f64)| {
-        let mesh = errors.mesh.as_ref();
-        let known = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), percent);
-        ResultRow {
-            name: capital(of.row().label),
-            value: value(answer, of),
-            unit: of.row().unit,
-            at: match answer.peak(of) {
-                Some(peak) => format!("{:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of)),
-                None => String::new(),
-            },
-            step: known(errors.time_step[of]),
-            mesh: known(mesh.and_then(|errors| errors[of])),
-        }
+        let value = Figure::of(answer, of).map(|figure| {
+            format!("{} {}", cut_before(figure.cut).1, figure.number).trim_start().to_owned()
+        });
+        let at = answer
+            .peak(of)
+            .map(|peak| format!("{:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of)));
+        let mesh = mesh.as_ref().and_then(|errors| errors[of]);
+        let [step, mesh] = [time_step[of], mesh].map(|error| or_dash(error, percent));
+        let (name, unit) = (capital(of.row().label), of.row().unit.to_owned());
+        [name, value.unwrap_or_default(), unit, at.unwrap_or_default(), step, mesh]
     };
     // Risks stand above, with their ranges.
     let own = |(of, _): &(Quantity, f64)| !of.is_risk();
     answer.results().present().filter(own).map(row).collect()
-}
-
-/// A value in words, with as many digits as its errors allow.
-fn value(answer: &Answer, of: Quantity) -> String {
-    Figure::of(answer, of).map_or_else(String::new, |figure| {
-        format!("{} {}", cut_word(figure.cut), figure.number).trim_start().to_owned()
-    })
 }
 
 /// Everything that the page rests on, each once.

@@ -5,7 +5,6 @@
 //! the globe, each in the colour of its step.
 
 use std::collections::BTreeSet;
-use std::fmt::Write;
 
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Point2;
@@ -16,7 +15,7 @@ use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::page::content::{FRAMES, spacing};
 use crate::report::picture::field::{STEPS, TissueField, step};
-use crate::report::picture::{Anatomy, DrawnDetail, Part, Shape, in_globe};
+use crate::report::picture::{Anatomy, DrawnDetail, Part, Shape, globe_cells};
 use crate::report::risks::lines;
 use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::{Frame, nearest};
@@ -71,8 +70,7 @@ impl<'a> Picture<'a> {
         let kept = &answer.run.frames[..];
         kept.first()?;
         let drawing = answer.case.eye.drawing();
-        let globe = drawing.cells.iter().filter(|cell| in_globe(&drawing, &cell.corners));
-        let cells: Vec<DrawnCell> = globe.copied().collect();
+        let cells: Vec<DrawnCell> = globe_cells(&drawing).copied().collect();
         let nodes: BTreeSet<usize> = cells.iter().flat_map(|cell| cell.corners).collect();
         let field = TissueField::all(&drawing, kept)[0];
         let time = answer.peak(Quantity::Apex).map_or(0.0, |peak| peak.time);
@@ -120,6 +118,11 @@ impl<'a> Picture<'a> {
         self.anatomy.layers(&self.drawing, frame, detail)
     }
 
+    /// [`Self::view`] as SVG has it.
+    pub fn view_box(&self) -> String {
+        self.view().map(|side| side.to_string()).join(" ")
+    }
+
     /// Left, top, width and height: the eye at rest, and room for the object before it.
     fn view(&self) -> [i64; 4] {
         let (low, high) = self.drawing.extent();
@@ -128,8 +131,8 @@ impl<'a> Picture<'a> {
         [left, top, right - left, bottom - top]
     }
 
-    /// What stands within the picture.
-    fn content(&self) -> Markup {
+    /// What stands within the picture; the script finds its paths by their order.
+    pub fn content(&self) -> Markup {
         let frame = self.frames[self.peak];
         let [left, top, wide, high] = self.view();
         let (name, end) = (self.field.0.name(), self.field.0.figure(self.field.1));
@@ -139,7 +142,8 @@ impl<'a> Picture<'a> {
         let key = left + wide - 420;
         html! {
             @for shape in self.layers(frame) {
-                path class=(class(shape.part)) d=(rings(&shape)) {}
+                path class=(format!("{:?}", shape.part).to_lowercase())
+                    d=(shape.rings.iter().map(|ring| closed(ring)).collect::<String>()) {}
                 @if shape.part == Part::Globe { g.field { @for of in 0..STEPS {
                     path style=(format!("fill:{0};stroke:{0}", FIELD[of])) d=(self.filled(frame, &steps, of)) {}
                 } } }
@@ -160,22 +164,9 @@ impl<'a> Picture<'a> {
     /// The cells that are at one of the `steps` of the field in a frame.
     fn filled(&self, frame: &Frame, steps: &str, of: usize) -> String {
         let at_it = self.cells.iter().zip(steps.chars());
-        let digit = char::from_digit(of as u32, 36);
-        let at_it = at_it.filter(|(_, step)| Some(*step) == digit);
-        at_it.fold(String::new(), |path, (cell, _)| {
-            let corners = cell.corners.map(|node| self.drawing.place(frame, node, 1.0));
-            path + &closed(&corners)
-        })
-    }
-
-    /// The picture within a page; the script finds its paths by their order.
-    pub fn markup(&self, label: &str) -> Markup {
-        let view = self.view().map(|side| side.to_string()).join(" ");
-        html! {
-            svg.eye viewBox=(view) role="img" aria-label=(label) {
-                (self.content())
-            }
-        }
+        let at_it = at_it.filter(|(_, step)| step.to_digit(36) == Some(of as u32));
+        let place = |node| self.drawing.place(frame, node, 1.0);
+        at_it.map(|(cell, _)| closed(&cell.corners.map(place))).collect()
     }
 
     /// Everything that the script moves the paths by: of the first frame the places, of each other
@@ -185,11 +176,11 @@ impl<'a> Picture<'a> {
         let frames = || self.frames.iter().copied();
         let layers: Vec<Vec<Shape>> = frames().map(|frame| self.layers(frame)).collect();
         let shape = |i: usize| -> Value {
-            let rings = layers.iter().map(|layers| &layers[i].rings);
-            let most = rings.clone().map(Vec::len).max().unwrap_or_default();
+            let rings = || layers.iter().map(|layers| &layers[i].rings);
+            let most = rings().map(Vec::len).max().unwrap_or_default();
             let ring = |ring: usize| {
-                let places = rings.clone().map(|rings| rings.get(ring).map_or(&[][..], |r| &r[..]));
-                let places = places.map(|ring| ring.iter().copied().flat_map(whole).collect());
+                let places = rings().map(|rings| rings.get(ring).into_iter().flatten());
+                let places = places.map(|ring| ring.copied().flat_map(whole).collect());
                 moves(&places.collect::<Vec<Vec<i64>>>())
             };
             (0..most).map(ring).collect()
@@ -200,8 +191,7 @@ impl<'a> Picture<'a> {
             "ms": frames().map(|f| (f.time * 1e6).round() / 1e3).collect::<Vec<_>>(),
             "shapes": (0..layers[0].len()).map(shape).collect::<Vec<_>>(),
             "places": moves(&frames().map(|f| self.places(f)).collect::<Vec<_>>()),
-            "cells": self.cells.iter().flat_map(|cell| cell.corners.iter().map(place))
-                .collect::<Vec<_>>(),
+            "cells": self.cells.iter().flat_map(|cell| &cell.corners).map(place).collect::<Value>(),
             "steps": frames().map(|f| self.steps(f)).collect::<Vec<_>>(),
         })
     }
@@ -224,38 +214,24 @@ fn moves(lists: &[Vec<i64>]) -> Vec<String> {
 
 /// Small numbers as a sign each, from `=` on; others as `!`, digits and `;`.
 fn packed(numbers: &[i64]) -> String {
-    let sign = |number: i64| char::from(u8::try_from(number + ZERO).unwrap_or(b'!'));
-    numbers.iter().fold(String::new(), |mut text, &number| {
-        if (-32..=33).contains(&number) {
-            text.push(sign(number));
-        } else {
-            // A string takes whatever it is given.
-            let _ = write!(text, "!{number};");
-        }
-        text
-    })
+    let one = |number: &i64| match number {
+        -32..=33 => char::from(u8::try_from(number + ZERO).unwrap_or(b'!')).to_string(),
+        _ => format!("!{number};"),
+    };
+    numbers.iter().map(one).collect()
 }
 
 fn whole(at: Point2<f64>) -> [i64; 2] {
     [(at.x * PER_M).round() as i64, (-at.y * PER_M).round() as i64]
 }
 
-fn class(part: Part) -> String {
-    format!("{part:?}").to_lowercase()
-}
-
-fn rings(shape: &Shape) -> String {
-    shape.rings.iter().map(|ring| closed(ring)).collect()
-}
-
 fn closed(ring: &[Point2<f64>]) -> String {
-    let mut path = String::new();
-    for (i, at) in ring.iter().enumerate() {
+    let signs = std::iter::once('M').chain(std::iter::repeat('L'));
+    let corner = |(at, sign): (&Point2<f64>, char)| {
         let [x, y] = whole(*at);
-        // A string takes whatever it is given.
-        let _ = write!(path, "{}{x} {y}", if i == 0 { 'M' } else { 'L' });
-    }
-    path + "Z"
+        format!("{sign}{x} {y}")
+    };
+    ring.iter().zip(signs).map(corner).collect::<String>() + "Z"
 }
 
 /// A file of the pictures alone, side by side, each with its name and first verdict.
@@ -267,19 +243,15 @@ pub fn pictures(entries: &[Entry]) -> String {
     let all: Vec<_> = answered.collect();
     let sides = |at: usize| all.iter().map(move |(_, _, picture)| picture.view()[at]).max();
     let (side, high) = (sides(2).unwrap_or(1), sides(3).unwrap_or(1));
-    let lefts = (0..).map(|i: i64| i * side);
-    let placed: Vec<_> = lefts.zip(&all).collect();
-    let whole = placed.last().map_or(side, |(left, _)| left + side);
+    let whole = all.iter().map(|_| side).sum::<i64>().max(side);
     let drawn = html! {
         svg.eye xmlns="http://www.w3.org/2000/svg" viewBox=(format!("0 0 {whole} {}", high + 124)) {
             style { (PreEscaped(STYLE)) }
             rect width="100%" height="100%" fill="white" {}
-            @for (x, (entry, answer, picture)) in placed {
-                @let verdict = lines(answer).into_iter().next();
-                @let view = picture.view().map(|side| side.to_string()).join(" ");
-                svg x=(x) width=(side) height=(high) viewBox=(view) { (picture.content()) }
+            @for (x, (entry, answer, picture)) in (0..).map(|i: i64| i * side).zip(&all) {
+                svg x=(x) width=(side) height=(high) viewBox=(picture.view_box()) { (picture.content()) }
                 text x=(x + 8) y=(high + 34) { (printable(&entry.scenario.name)) }
-                @if let Some((name, words)) = verdict {
+                @if let Some((name, words)) = lines(answer).first() {
                     // The word and the range; what stands behind them is too long for a picture.
                     @let words = words.split([',', ';', ':']).next().unwrap_or_default();
                     text x=(x + 8) y=(high + 74) { (name) ": " (words) }
@@ -303,26 +275,19 @@ mod tests {
         let answer = answered_with(&scenario, crate::tui::simulation::keep(&scenario));
         let picture = Picture::of(&answer).unwrap();
         assert!(answer.run.frames.len() > 400 && picture.frames.len() <= 82);
-        let apart = |frame: &Frame| (frame.time - picture.time()).abs();
         let deepest = answer.peak(Quantity::Apex).unwrap().time;
-        assert!(
-            answer
-                .run
-                .frames
-                .iter()
-                .all(|f| (f.time - deepest).abs() >= (picture.time() - deepest).abs())
-        );
-        assert_eq!(apart(picture.frames[picture.peak]), 0.0);
+        let off = |time: f64| (time - deepest).abs();
+        assert!(answer.run.frames.iter().all(|f| off(f.time) >= off(picture.time())));
         let motion = picture.motion();
         // As the script reads it.
         let numbers = |list: &Value| -> Vec<i64> {
-            let mut text = list.as_str().unwrap();
+            let mut signs = list.as_str().unwrap().trim_start().chars();
             let mut numbers = Vec::new();
-            while let Some(sign) = text.trim_start().chars().next() {
-                let end = if sign == '!' { text.find(';').unwrap() } else { 0 };
-                let large = || text[1..end].parse().unwrap();
-                numbers.push(if sign == '!' { large() } else { i64::from(sign as u32) - ZERO });
-                text = &text[end + 1..];
+            while let Some(sign) = signs.next() {
+                let mut large =
+                    || signs.by_ref().take_while(|sign| *sign != ';').collect::<String>();
+                let small = i64::from(u32::from(sign)) - ZERO;
+                numbers.push(if sign == '!' { large().parse().unwrap() } else { small });
             }
             numbers
         };

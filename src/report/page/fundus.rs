@@ -21,13 +21,8 @@ fn sector((inner, outer): (f64, f64), (from, to): (f64, f64)) -> String {
         let (x, y) = (radius * libm::sin(turn), -radius * libm::cos(turn));
         format!("{x:.1} {y:.1}")
     };
-    format!(
-        "M{} A{outer} {outer} 0 0 1 {} L{} A{inner} {inner} 0 0 0 {}Z",
-        at(outer, from),
-        at(outer, to),
-        at(inner, to),
-        at(inner, from)
-    )
+    let [a, b, c, d] = [at(outer, from), at(outer, to), at(inner, to), at(inner, from)];
+    format!("M{a} A{outer} {outer} 0 0 1 {b} L{c} A{inner} {inner} 0 0 0 {d}Z")
 }
 
 /// From pale to dark red.
@@ -36,33 +31,31 @@ fn colour(share: f64) -> String {
     format!("#{:02x}{:02x}{:02x}", mix(245.0, 178.0), mix(240.0, 34.0), mix(228.0, 40.0))
 }
 
-/// The picture.
+/// Words at a turn of the clock.
+fn text(radius: f64, turn: f64, ink: &str, words: &str) -> Markup {
+    let (x, y) = (radius * libm::sin(turn), 5.0 - radius * libm::cos(turn));
+    html! { text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill=(ink) { (words) } }
+}
+
 pub fn figure(sectors: &Sectors, side: Side) -> Markup {
-    let all = sectors.edge.iter().chain(&sectors.back);
-    let most = all.copied().fold(f64::MIN_POSITIVE, f64::max);
+    let most = sectors.edge.iter().chain(&sectors.back).copied().fold(f64::MIN_POSITIVE, f64::max);
     let ring = |values: &[f64], ring: (f64, f64), shift: f64| {
         let width = TAU / values.len() as f64;
         let one = |(i, value): (usize, &f64)| {
-            let azimuth = (i as f64 + shift) * width;
-            let turn = side.turn(azimuth);
+            let turn = side.turn((i as f64 + shift) * width);
             let share = (value / most).clamp(0.0, 1.0);
             let path = sector(ring, (turn - 0.5 * width + GAP, turn + 0.5 * width - GAP));
-            let middle = 0.5 * (ring.0 + ring.1);
-            let (x, y) = (middle * libm::sin(turn), 5.0 - middle * libm::cos(turn));
             let ink = if share > 0.6 { "#fff" } else { "#222" };
             html! {
                 path d=(path) fill=(colour(share)) {}
-                text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill=(ink) {
-                    (format!("{:.0}", 100.0 * value))
-                }
+                (text(0.5 * (ring.0 + ring.1), turn, ink, &format!("{:.0}", 100.0 * value)))
             }
         };
         values.iter().enumerate().map(one).collect::<Vec<_>>()
     };
     let hours = (1..=HOURS).map(|hour| {
         let turn = TAU * hour as f64 / HOURS as f64;
-        let (x, y) = (NAMES * libm::sin(turn), 5.0 - NAMES * libm::cos(turn));
-        html! { text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill="#777" { (hour) } }
+        text(NAMES, turn, "#777", &hour.to_string())
     });
     let (eye, left, right) = side.seen();
     debug_assert_eq!(sectors.back.len(), QUADRANTS);

@@ -5,22 +5,20 @@ use std::ops::ControlFlow;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::solve::Answer;
-use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
-use crate::report::figure::{SCALE, unusable};
+use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::format::{capital, percent};
-use crate::report::page::content::{inputs, mesh, rows, sources, version};
+use crate::report::page::content::{closing, inputs, mesh, rows, sources};
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::risks::{first_line, legend, lines, uncounted};
-use crate::report::{compare::Table, limit, page::charts, page::fundus};
+use crate::report::risks::{first_line, lines, uncounted};
+use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
 use crate::scenario::{Scenario, load::to_ron};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
-/// The whole page.
 pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFlow<(), String> {
     let mut blows = Vec::with_capacity(entries.len());
     for (done, entry) in entries.iter().enumerate() {
@@ -41,7 +39,11 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
             body {
                 @if entries.len() > 1 { (comparison(entries)) }
                 @for blow in &blows { (blow) }
-                footer { (foot(entries, command)) }
+                footer {
+                    @if let Some(command) = command { p { "The same again: " code { (command) } } }
+                    ol { @for source in sources(entries) { li { (source) } } }
+                    p { (closing(entries)) }
+                }
                 script { (PreEscaped(include_str!("replay.js"))) }
             }
         }
@@ -67,10 +69,6 @@ fn figure(caption: &str, chart: &charts::PageChart) -> Markup {
 /// All blows in one table and one chart.
 fn comparison(entries: &[Entry]) -> Markup {
     let table = Table::of(entries, &leading(entries, None));
-    let answers: Vec<(String, &Answer)> = entries
-        .iter()
-        .filter_map(|entry| Some((printable(&entry.name).into_owned(), entry.answer()?)))
-        .collect();
     html! {
         section.comparison {
             h1 { "Side by side" }
@@ -88,7 +86,7 @@ fn comparison(entries: &[Entry]) -> Markup {
                 table {
                     thead { tr {
                         th { "blow" }
-                        @for (head, unit) in table.heads.iter().zip(&table.units) {
+                        @for (head, unit) in &table.heads {
                             th { (head) br; small { (unit) } }
                         }
                     } }
@@ -98,7 +96,7 @@ fn comparison(entries: &[Entry]) -> Markup {
                 }
             }
             @for note in &table.notes { p.note { (printable(note)) } }
-            (figure("Force on the eye", &charts::drives(&answers)))
+            (figure("Force on the eye", &charts::drives(entries)))
         }
     }
 }
@@ -113,9 +111,7 @@ fn blow(entry: &Entry) -> Markup {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
-                    @for (name, words) in lines(answer) {
-                        p.verdict { strong { (name) } ": " (words) }
-                    }
+                    @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
                     @if let Some(missing) = uncounted(answer) {
                         p.note { "Ranges of 80 %, still without " (missing) "." }
                     }
@@ -125,7 +121,12 @@ fn blow(entry: &Entry) -> Markup {
                     }
                     @let motion = charts::motion(answer);
                     div.columns {
-                        div { (eye(answer)) (asked(entry)) }
+                        div {
+                            (eye(answer))
+                            table.inputs { tbody { @for (label, text) in inputs(scenario) {
+                                tr { th { (label) } td { (text) } }
+                            } } }
+                        }
                         div { (results(scenario, answer)) }
                     }
                     div.charts {
@@ -139,40 +140,25 @@ fn blow(entry: &Entry) -> Markup {
                     }
                 }
             }
-            details.screen {
-                summary { "The scenario as a file" }
-                pre { (to_ron(scenario)) }
-            }
+            details.screen { summary { "The scenario as a file" } pre { (to_ron(scenario)) } }
         }
     }
 }
 
 fn eye(answer: &Answer) -> Markup {
-    let Some(picture) = Picture::of(answer) else {
-        return html! {};
-    };
+    let Some(picture) = Picture::of(answer) else { return html! {} };
     let time = format!("{:.3} ms", picture.time() * 1e3);
     let label = format!("The eye at {time}, when its apex is deepest");
     html! {
         figure.replay {
             figcaption { "The eye at " output { (time) } }
-            (picture.markup(&label))
+            svg.eye viewBox=(picture.view_box()) role="img" aria-label=(label) { (picture.content()) }
             div.screen {
                 button type="button" { "Play" }
                 input type="range" min="0" aria-label="time";
             }
             script type="application/json" { (PreEscaped(picture.motion().to_string())) }
         }
-    }
-}
-
-fn asked(entry: &Entry) -> Markup {
-    html! {
-        table.inputs { tbody {
-            @for (label, text) in inputs(&entry.scenario) {
-                tr { th { (label) } td { (text) } }
-            }
-        } }
     }
 }
 
@@ -183,27 +169,17 @@ fn results(scenario: &Scenario, answer: &Answer) -> Markup {
             thead { tr {
                 th { "result" } th { "value" } th {} th { "at" } th { "step ±" } th { "mesh ±" }
             } }
-            tbody class=[answer.spoiled().map(|_| "raw")] { @for row in rows(scenario, answer) {
+            tbody class=[answer.spoiled().map(|_| "raw")] { @for [name, value, unit, at, step, mesh] in rows(scenario, answer) {
                 tr {
-                    th { (row.name) } td { (row.value) } td.unit { (row.unit) } td { (row.at) }
-                    td { (row.step) } td { (row.mesh) }
+                    th { (name) } td { (value) } td.unit { (unit) } td { (at) }
+                    td { (step) } td { (mesh) }
                 }
             } }
         }
-        @if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
+        @if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
             p.note { "Damage index: " (limit) "." }
         }
         p.note { "Damage index: " (SCALE) "; no probability. Energy is balanced within " (balance) "; \
             - : no error is known." }
-    }
-}
-
-fn foot(entries: &[Entry], command: Option<&str>) -> Markup {
-    html! {
-        @if let Some(command) = command {
-            p { "The same again: " code { (command) } }
-        }
-        ol { @for source in sources(entries) { li { (source) } } }
-        p { (version()) ". " @if let Some(bb) = legend(entries.iter().filter_map(Entry::answer)) { (capital(bb)) ". " } (SIGNS) }
     }
 }

@@ -2,35 +2,26 @@
 
 use std::io::{self, Write};
 
-use crate::injury::SIGNS;
 use crate::many::comparison::{Entry, leading};
 use crate::plain_text::markdown;
-use crate::report::figure::{SCALE, unusable};
-use crate::report::page::content::{inputs, mesh, rows, sources, version};
-use crate::report::risks::{legend, lines};
-use crate::report::{compare::Table, format::capital, limit};
+use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
+use crate::report::page::content::{closing, inputs, mesh, rows, sources};
+use crate::report::{compare::Table, risks::lines};
 use crate::run::quantity::Quantity;
 
-/// Writes the page as Markdown.
 pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
     if entries.len() > 1 {
         writeln!(out, "# Side by side\n")?;
         Table::of(entries, &leading(entries, None)).markdown(out)?;
         writeln!(out)?;
     }
-    for entry in entries {
-        blow(entry, out)?;
-    }
+    entries.iter().try_for_each(|entry| blow(entry, out))?;
     writeln!(out, "## Sources\n")?;
-    for source in sources(entries) {
-        writeln!(out, "- {}", markdown(source))?;
-    }
+    sources(entries).iter().try_for_each(|source| writeln!(out, "- {}", markdown(source)))?;
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }
-    let bb = legend(entries.iter().filter_map(Entry::answer));
-    let bb = bb.map_or_else(String::new, |bb| format!("{}. ", capital(bb)));
-    writeln!(out, "\n{}. {bb}{SIGNS}", version())
+    writeln!(out, "\n{}", closing(entries))
 }
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
@@ -50,16 +41,12 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "- FLAG `{}`: {}", flag.kind.name(), markdown(&flag.whole()))?;
     }
     writeln!(out, "\n| result | value | | at | step ± | mesh ± |\n|---|---:|---|---:|---:|---:|")?;
-    for row in rows(&entry.scenario, answer) {
-        let (step, mesh) = (markdown(&row.step), markdown(&row.mesh));
-        writeln!(
-            out,
-            "| {} | {} | {} | {} | {step} | {mesh} |",
-            row.name, row.value, row.unit, row.at
-        )?;
+    for [name, value, unit, at, step, mesh] in rows(&entry.scenario, answer) {
+        let [step, mesh] = [step, mesh].map(|error| markdown(&error));
+        writeln!(out, "| {name} | {value} | {unit} | {at} | {step} | {mesh} |")?;
     }
     writeln!(out, "\nDamage index: {SCALE}; no probability.")?;
-    if let Some(limit) = limit::here_and_in_the_limit(answer, Quantity::Damage) {
+    if let Some(limit) = here_and_in_the_limit(answer, Quantity::Damage) {
         writeln!(out, "\nDamage index: {}.", markdown(&limit))?;
     }
     writeln!(out, "\n| input | value |\n|---|---|")?;

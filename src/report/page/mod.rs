@@ -14,7 +14,6 @@ pub(crate) mod html;
 mod markdown;
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::many::comparison::Entry;
@@ -23,26 +22,20 @@ use crate::run::watch::unwatched;
 pub use crate::report::page::content::keep;
 
 /// What a page is written as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString)]
+#[strum(ascii_case_insensitive)]
 pub enum PageFormat {
-    /// A page for a browser.
+    #[strum(serialize = "html", serialize = "htm")]
     Html,
-    /// Text and tables.
+    #[strum(serialize = "md")]
     Markdown,
-    /// A picture.
     Svg,
 }
 
 impl PageFormat {
     /// By the end of a file's name.
     pub fn of(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "html" | "htm" => Some(Self::Html),
-            "md" => Some(Self::Markdown),
-            "svg" => Some(Self::Svg),
-            _ => None,
-        }
+        path.extension()?.to_str()?.parse().ok()
     }
 }
 
@@ -54,10 +47,10 @@ pub fn write(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match form {
-        PageFormat::Html => match html::page(entries, command, &mut unwatched) {
-            ControlFlow::Continue(page) => out.write_all(page.as_bytes()),
-            ControlFlow::Break(()) => Ok(()),
-        },
+        PageFormat::Html => {
+            let page = html::page(entries, command, &mut unwatched);
+            out.write_all(page.continue_value().unwrap_or_default().as_bytes())
+        }
         PageFormat::Markdown => markdown::write(entries, command, out),
         PageFormat::Svg => out.write_all(eye::pictures(entries).as_bytes()),
     }

@@ -1,12 +1,11 @@
 //! What fills the globe: pressure, strain or the forces on its nodes, from low to high.
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix2, Point2};
 
-use crate::report::picture::in_globe;
+use crate::report::picture::globe_cells;
 use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::Frame;
 
-/// Steps of the scale.
 pub const STEPS: usize = 11;
 /// Share of all values that the scale holds.
 const HELD: f64 = 0.997;
@@ -32,19 +31,16 @@ impl TissueField {
     /// All that an eye has, what tells most of a blow first.
     pub fn all(drawing: &Drawing, frames: &[Frame]) -> Vec<Self> {
         let pressures = frames.iter().any(|frame| !frame.cells.is_empty());
-        let mut fields = match drawing.object {
+        match drawing.object {
             _ if !pressures => vec![Self::Force, Self::Strain],
             None => vec![Self::Force, Self::Pressure, Self::Strain],
-            Some(object) if object.radius < LARGE_M => vec![Self::Strain, Self::Pressure],
-            Some(_) => vec![Self::Pressure, Self::Strain],
-        };
-        if drawing.object.is_some() {
-            fields.push(Self::Force);
+            Some(object) if object.radius < LARGE_M => {
+                vec![Self::Strain, Self::Pressure, Self::Force]
+            }
+            Some(_) => vec![Self::Pressure, Self::Strain, Self::Force],
         }
-        fields
     }
 
-    /// A word for it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pressure => "pressure",
@@ -66,16 +62,14 @@ impl TissueField {
 
     /// The value of each cell of the globe in a frame.
     fn of_cells(self, drawing: &Drawing, frame: &Frame) -> Vec<(DrawnCell, f64)> {
-        let globe = drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners));
         let value = |cell: &DrawnCell| match self {
             Self::Pressure => drawing.pressure(frame, cell),
             Self::Strain => strain(drawing, frame, cell),
             Self::Force => {
-                let forces = cell.corners.map(|node| drawing.force(frame, node));
-                forces.iter().sum::<f64>() / 4.0
+                cell.corners.map(|node| drawing.force(frame, node)).iter().sum::<f64>() / 4.0
             }
         };
-        globe.map(|cell| (*cell, value(cell))).collect()
+        globe_cells(drawing).map(|cell| (*cell, value(cell))).collect()
     }
 
     /// The value at each node in a frame: the mean of the cells around it.
@@ -96,9 +90,8 @@ impl TissueField {
     /// The end of its scale over all frames.
     pub fn largest(self, drawing: &Drawing, frames: &[Frame]) -> f64 {
         let some = frames.iter().step_by(frames.len().div_ceil(FRAMES).max(1));
-        let values = some.flat_map(|frame| self.of_cells(drawing, frame));
-        let mut values: Vec<f64> =
-            values.map(|(_, value)| value).filter(|v| v.is_finite()).collect();
+        let values = some.flat_map(|frame| self.of_cells(drawing, frame)).map(|(_, value)| value);
+        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         if values.is_empty() {
             return 1.0;
         }
@@ -127,21 +120,13 @@ fn strain(drawing: &Drawing, frame: &Frame, cell: &DrawnCell) -> f64 {
     let nodes = cell.corners.map(|node| &drawing.nodes[node]);
     let rest = nodes.map(|node| node.rest);
     let now = nodes.map(|node| frame.positions[node.of]);
-    let diagonals = |p: [nalgebra::Point2<f64>; 4]| {
-        Matrix2::from_columns(&[p[2] - p[0], p[3] - p[1]] as &[Vector2<f64>; 2])
-    };
-    let Some(inverse) = diagonals(rest).try_inverse() else {
-        return 0.0;
-    };
+    let diagonals = |p: [Point2<f64>; 4]| Matrix2::from_columns(&[p[2] - p[0], p[3] - p[1]]);
+    let Some(inverse) = diagonals(rest).try_inverse() else { return 0.0 };
     let gradient = diagonals(now) * inverse;
     let (sum, product) = (gradient.norm_squared(), gradient.determinant());
     let stretch = (0.5 * (sum + (sum * sum - 4.0 * product * product).max(0.0).sqrt())).sqrt();
-    let around = if drawing.along.is_some() {
-        let radius = |p: [nalgebra::Point2<f64>; 4]| p.iter().map(|p| p.y).sum::<f64>();
-        radius(now) / radius(rest)
-    } else {
-        1.0
-    };
+    let radius = |p: [Point2<f64>; 4]| p.iter().map(|p| p.y).sum::<f64>();
+    let around = if drawing.along.is_some() { radius(now) / radius(rest) } else { 1.0 };
     stretch.max(around) - 1.0
 }
 

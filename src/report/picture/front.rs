@@ -5,7 +5,7 @@
 //! An axisymmetric eye that is hit straight on is round from there; hit from the side it cannot be
 //! seen so. What is drawn and not computed: iris and pupil, which go with the limbus.
 
-use nalgebra::{Point2, center};
+use nalgebra::{Point2, Vector2, center};
 use std::f64::consts::TAU;
 
 use crate::report::picture::{Part, Shape, stroke};
@@ -26,9 +26,10 @@ const CORNERS: usize = 72;
 const STRAIGHT: f64 = 1e-9;
 
 fn circle(middle: Point2<f64>, radius: f64) -> Vec<Point2<f64>> {
-    let angle = |i: usize| TAU * i as f64 / CORNERS as f64;
-    let point =
-        |i| middle + nalgebra::Vector2::new(libm::sin(angle(i)), libm::cos(angle(i))) * radius;
+    let point = |i: usize| {
+        let angle = TAU * i as f64 / CORNERS as f64;
+        middle + Vector2::new(libm::sin(angle), libm::cos(angle)) * radius
+    };
     (0..CORNERS).map(point).collect()
 }
 
@@ -37,9 +38,7 @@ pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
     if let Some(front) = &frame.front {
         return Some(front.clone());
     }
-    if drawing.object?.direction.y.abs() > STRAIGHT {
-        return None;
-    }
+    drawing.object.filter(|object| object.direction.y.abs() <= STRAIGHT)?;
     let (shell, limbus) = (&drawing.outlines.shell, drawing.outlines.limbus);
     let middle = Point2::origin();
     let aside = |node: &usize| drawing.place(frame, *node, 1.0).y.abs();
@@ -54,10 +53,14 @@ pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
     })
 }
 
+fn mean(ring: &[Point2<f64>]) -> Point2<f64> {
+    let sum: Vector2<f64> = ring.iter().map(|at| at.coords).sum();
+    Point2::from(sum / ring.len().max(1) as f64)
+}
+
 /// A ring of the same form about its middle, so many times as large.
 fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
-    let sum: nalgebra::Vector2<f64> = ring.iter().map(|at| at.coords).sum();
-    let middle = Point2::from(sum / ring.len().max(1) as f64);
+    let middle = mean(ring);
     ring.iter().map(|at| middle + (at - middle) * times).collect()
 }
 
@@ -65,26 +68,19 @@ fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
 /// none of a section that is hit from the side.
 pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Option<Vec<Shape>> {
     let front = seen(drawing, frame)?;
-    let faced = |ring: Vec<Point2<f64>>| -> Vec<Point2<f64>> {
-        let across = |at: Point2<f64>| match side {
-            Side::Right => at,
-            Side::Left => Point2::new(-at.x, at.y),
-        };
-        ring.into_iter().map(across).collect()
+    let across = |at: Point2<f64>| match side {
+        Side::Right => at,
+        Side::Left => Point2::new(-at.x, at.y),
     };
+    let faced = |ring: Vec<Point2<f64>>| -> Vec<_> { ring.into_iter().map(across).collect() };
     let mut layers = Vec::new();
-    let wall = drawing.outlines.wall.first();
-    if let Some(wall) = wall {
-        let rim = if drawing.rim.is_empty() {
-            let far = drawing.at_rest(&drawing.nodes[*wall]).y.abs();
-            circle(Point2::origin(), far)
-        } else {
-            drawing.rim.clone()
-        };
+    if let Some(wall) = drawing.outlines.wall.first() {
+        let far = || drawing.at_rest(&drawing.nodes[*wall]).y.abs();
+        let measured = Some(&drawing.rim).filter(|rim| !rim.is_empty()).cloned();
+        let rim = measured.unwrap_or_else(|| circle(Point2::origin(), far()));
         if drawing.outlines.bone {
             let out = |at: &Point2<f64>| at + at.coords.normalize() * BONE_M;
-            let bone = rim.iter().map(out).collect();
-            layers.push(Shape::new(Part::Bone, faced(bone)));
+            layers.push(Shape::new(Part::Bone, faced(rim.iter().map(out).collect())));
         }
         layers.push(Shape::new(Part::Fat, faced(rim)));
     }
@@ -101,8 +97,7 @@ pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Optio
         ring.extend(ring.first().copied());
         layers.push(stroke(Part::Object, &ring, grain.max(0.6e-3)));
         let middle = center(&ring[0], &ring[CORNERS / 2]);
-        let mark = circle(middle, grain.max(0.5e-3));
-        layers.push(Shape::new(Part::Object, mark));
+        layers.push(Shape::new(Part::Object, circle(middle, grain.max(0.5e-3))));
     }
     Some(layers)
 }
@@ -110,29 +105,26 @@ pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::solve::solve;
+    use crate::answer::solve::tests::answered_with;
     use crate::run::kept::{Keep, Spacing};
-    use crate::run::watch::unwatched;
-    use crate::scenario::{library::find, set::set};
+    use crate::scenario::library::tests::preset;
 
     /// Layers of the last frame of a BB of 0.1 ms in gelatin.
     fn last(changes: &[(&str, &str)], side: Side) -> Option<Vec<Shape>> {
-        let mut scenario = find("bb-62").unwrap().scenario().unwrap();
         let first = [("model.support", "Gelatin"), ("window_ms", "0.1")];
-        for (path, text) in first.iter().chain(changes) {
-            set(&mut scenario, path, text).unwrap();
-        }
+        let scenario = preset("bb-62", &[&first, changes].concat());
         let keep = Keep { frames: Some(Spacing::even(0.05e-3)), ..Keep::default() };
-        let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+        let answer = answered_with(&scenario, keep);
         let (drawing, frames) = (answer.case.eye.drawing(), &answer.run.frames);
         layers(&drawing, frames.last().unwrap(), side, 1e-4)
     }
 
-    fn middle(layers: &[Shape], part: Part) -> (f64, f64) {
-        let ring = &layers.iter().find(|shape| shape.part == part).unwrap().rings[0];
-        let sum: nalgebra::Vector2<f64> = ring.iter().map(|at| at.coords).sum();
-        let mean = sum / ring.len() as f64;
-        (mean.x, mean.y)
+    fn ring(layers: &[Shape], part: Part) -> &[Point2<f64>] {
+        &layers.iter().find(|shape| shape.part == part).unwrap().rings[0]
+    }
+
+    fn middle(layers: &[Shape], part: Part) -> Vector2<f64> {
+        mean(ring(layers, part)).coords
     }
 
     #[test]
@@ -140,14 +132,12 @@ mod tests {
         let aside = [("impact.offset_mm", "5"), ("impact.offset_clock", "3")];
         let right = last(&aside, Side::Right).unwrap();
         let left = last(&aside, Side::Left).unwrap();
-        let (x, y) = middle(&right, Part::Object);
-        assert!((x - 5e-3).abs() < 1e-3 && y.abs() < 0.3e-3, "{x} {y}");
-        assert!((middle(&left, Part::Object).0 + x).abs() < 1e-12);
+        let object = middle(&right, Part::Object);
+        assert!((object.x - 5e-3).abs() < 1e-3 && object.y.abs() < 0.3e-3, "{object}");
+        assert!((middle(&left, Part::Object).x + object.x).abs() < 1e-12);
         // The globe stands where it was, and its limbus has a radius of some 6 mm.
-        let sclera = middle(&right, Part::Sclera);
-        assert!(sclera.0.hypot(sclera.1) < 0.5e-3, "{sclera:?}");
-        let cornea = right.iter().find(|shape| shape.part == Part::Cornea);
-        let widest = cornea.unwrap().rings[0].iter().map(|at| at.coords.norm());
+        assert!(middle(&right, Part::Sclera).norm() < 0.5e-3);
+        let widest = ring(&right, Part::Cornea).iter().map(|at| at.coords.norm());
         assert!((5e-3..8e-3).contains(&widest.fold(0.0, f64::max)));
     }
 
@@ -155,8 +145,7 @@ mod tests {
     fn straight_on_an_eye_is_round_and_a_section_that_is_hit_aside_is_not_seen_from_the_front() {
         let straight = last(&[], Side::Right).unwrap();
         for part in [Part::Sclera, Part::Cornea, Part::Object] {
-            let (x, y) = middle(&straight, part);
-            assert!(x.hypot(y) < 0.1e-3, "{part:?}");
+            assert!(middle(&straight, part).norm() < 0.1e-3, "{part:?}");
         }
         let turned = [("numerics.geometry", "Axisymmetric"), ("impact.angle_deg", "30")];
         assert!(last(&turned, Side::Right).is_none());

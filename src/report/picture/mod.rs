@@ -15,9 +15,10 @@ mod shell;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
-use crate::run::drawing::{Drawing, Held};
+use crate::run::drawing::{Drawing, DrawnCell, Held};
 use crate::run::kept::Frame;
 use crate::run::places::{GLOBE_RADIUS_M, Region};
+use object::{Hitting, hidden};
 use shell::Outline;
 
 /// What a place in a picture belongs to.
@@ -33,21 +34,14 @@ pub enum Part {
     Fat,
     /// The wall around that.
     Bone,
-    /// The optic nerve.
     Nerve,
     /// The inside of the globe, which a field fills.
     Globe,
-    /// The ciliary body.
     Ciliary,
-    /// The lens.
     Lens,
-    /// The iris.
     Iris,
-    /// The retina.
     Retina,
-    /// The sclera.
     Sclera,
-    /// The cornea.
     Cornea,
     /// The part of cornea and sclera that the object presses.
     Pressed,
@@ -69,11 +63,10 @@ impl Part {
 
     /// Whether it lies inside the globe; of its shell nobody asks.
     pub fn is_inside(self) -> Option<bool> {
+        use Part::{Bone, Ciliary, Fat, Globe, Iris, Lens, Nerve, Object, Skin, Sky};
         match self {
-            Self::Globe | Self::Ciliary | Self::Lens | Self::Iris => Some(true),
-            Self::Sky | Self::Object | Self::Skin | Self::Fat | Self::Bone | Self::Nerve => {
-                Some(false)
-            }
+            Globe | Ciliary | Lens | Iris => Some(true),
+            Sky | Object | Skin | Fat | Bone | Nerve => Some(false),
             _ => None,
         }
     }
@@ -82,23 +75,19 @@ impl Part {
 /// A part of the picture: closed lines, filled whichever way they turn.
 #[derive(Debug, Clone)]
 pub struct Shape {
-    /// What it shows.
     pub part: Part,
-    /// Its corners.
     pub rings: Vec<Vec<Point2<f64>>>,
 }
 
 impl Shape {
     fn new(part: Part, ring: Vec<Point2<f64>>) -> Self {
-        let rings = vec![ring];
-        Self { part, rings }
+        Self { part, rings: vec![ring] }
     }
 
     /// Whether a place lies in one of its rings.
     fn holds(&self, at: Point2<f64>) -> bool {
         self.rings.iter().any(|ring| {
-            let next = ring.iter().cycle().skip(1);
-            let crossed = ring.iter().zip(next).filter(|(a, b)| {
+            let crossed = sides(ring).filter(|[a, b]| {
                 let aside = a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
                 (a.y > at.y) != (b.y > at.y) && at.x < aside
             });
@@ -118,13 +107,8 @@ pub struct DrawnDetail {
     pub points: usize,
 }
 
-impl DrawnDetail {
-    /// Whether several thin layers would only blur each other.
-    fn is_small(self) -> bool {
-        self.grain > 0.85e-3
-    }
-}
-
+/// A grain above which several thin layers would only blur each other, in m.
+const SMALL_M: f64 = 0.85e-3;
 /// Front angle in rad behind which there is retina, and its thickness as drawn, in m.
 const RETINA: (f64, f64) = (62.0 * PI / 180.0, 0.62e-3);
 /// Front angle beyond which nothing of the globe counts as pressed, in rad.
@@ -189,16 +173,15 @@ impl Anatomy {
         let DrawnDetail { grain, zoom, .. } = detail;
         let place = |node: usize| drawing.place(frame, node, zoom);
         let moved = |held: &[Held]| -> Vec<Point2<f64>> {
-            let places = held.iter().map(|held| drawing.moved(frame, held, zoom));
-            places.collect()
+            held.iter().map(|held| drawing.moved(frame, held, zoom)).collect()
         };
         let outline = Outline::new(drawing, detail.points, place);
-        let wall = wall(drawing, place);
+        let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
         let mut layers = Vec::new();
-        let ball = object::Hitting::of(drawing, frame, &outline);
+        let ball = Hitting::of(drawing, frame, &outline);
         if let Some(ball) = &ball {
             layers.extend(ball.shapes(grain));
-            layers.extend(object::hidden(&wall, &outline, ball.direction()));
+            layers.extend(hidden(&wall, &outline, ball.object.direction));
         }
         if let (Some(fat), Some(bone)) = (fat(drawing, &place, &outline, &wall), bone(&wall)) {
             layers.push(fat);
@@ -209,35 +192,30 @@ impl Anatomy {
             layers.push(bone);
         }
         layers.push(Shape::new(Part::Globe, outline.points.clone()));
-        if !detail.is_small() {
-            for part in &self.ciliary {
-                layers.push(Shape::new(Part::Ciliary, moved(part)));
-            }
+        if grain <= SMALL_M {
+            layers.extend(self.ciliary.iter().map(|part| Shape::new(Part::Ciliary, moved(part))));
         }
         layers.push(Shape::new(Part::Lens, moved(&self.lens)));
-        for part in &self.iris {
-            layers.push(stroke(Part::Iris, &moved(part), IRIS_M.max(grain)));
-        }
+        let iris = |part: &Vec<_>| stroke(Part::Iris, &moved(part), IRIS_M.max(grain));
+        layers.extend(self.iris.iter().map(iris));
         layers.extend(shell_layers(drawing, &outline, ball.as_ref(), detail));
         layers
     }
 }
 
-/// The inner side of bone, from the upper rim to the lower.
-fn wall(drawing: &Drawing, place: impl Fn(usize) -> Point2<f64>) -> Vec<Point2<f64>> {
-    let nodes = drawing.outlines.wall.iter();
-    nodes.map(|node| place(*node)).collect()
+/// The sides of a closed curve.
+fn sides(ring: &[Point2<f64>]) -> impl Iterator<Item = [Point2<f64>; 2]> {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).map(|(a, b)| [*a, *b])
 }
 
 /// The sides of the object's outline in a frame that nothing covers.
 pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
     let place = |node: usize| drawing.place(frame, node, 1.0);
     let outline = Outline::new(drawing, POINTS, place);
-    let wall = wall(drawing, place);
-    let Some(ball) = object::Hitting::of(drawing, frame, &outline) else {
-        return Vec::new();
-    };
-    let hidden = object::hidden(&wall, &outline, ball.direction());
+    let wall: Vec<_> = drawing.outlines.wall.iter().map(|node| place(*node)).collect();
+    let Some(ball) = Hitting::of(drawing, frame, &outline) else { return Vec::new() };
+    let hidden = hidden(&wall, &outline, ball.object.direction);
     let fat = fat(drawing, &place, &outline, &wall);
     let globe = Shape::new(Part::Globe, outline.points.clone());
     let covers = [hidden, fat, Some(globe)];
@@ -245,10 +223,7 @@ pub fn object_sides(drawing: &Drawing, frame: &Frame) -> Vec<[Point2<f64>; 2]> {
         let middle = nalgebra::center(a, b);
         !covers.iter().flatten().any(|shape| shape.holds(middle))
     };
-    let ring = ball.ring(0.0);
-    let next = ring.iter().cycle().skip(1);
-    let sides = ring.iter().zip(next).map(|(a, b)| [*a, *b]);
-    sides.filter(free).collect()
+    sides(&ball.ring(0.0)).filter(free).collect()
 }
 
 /// What lies between the wall, its free surface and the globe.
@@ -272,13 +247,13 @@ fn fat(
 fn shell_layers(
     drawing: &Drawing,
     outline: &Outline,
-    ball: Option<&object::Hitting>,
+    ball: Option<&Hitting>,
     detail: DrawnDetail,
 ) -> Vec<Shape> {
-    let (small, least) = (detail.is_small(), 1.35 * detail.grain);
+    let (small, least) = (detail.grain > SMALL_M, 1.35 * detail.grain);
     let limbus = drawing.outlines.limbus;
     let band = |part, inside: &dyn Fn(usize) -> bool, from: f64, to: f64, more: f64| {
-        outline.band(part, least, |i| inside(i).then_some((from, to, more)))
+        outline.band(part, least, |i| inside(i).then_some([from, to, more]))
     };
     let front = |i: usize| outline.front[i];
     let behind = |i: usize| front(i) >= RETINA.0;
@@ -297,22 +272,20 @@ fn shell_layers(
         front(i) < PRESSED && ball.is_some_and(|ball| ball.reaches(outline.points[i], NEAR_M))
     };
     if !small {
-        let ticks = (1..outline.points.len())
-            .filter(|&i| (front(i - 1) < limbus) != (front(i) < limbus) && !pressed(i))
-            .map(|i| outline.tick(i, 0.9e-3, least));
-        let rings = ticks.collect();
-        let part = Part::Limbus;
-        shapes.push(Shape { part, rings });
+        let is_limbus = |i: usize| (front(i - 1) < limbus) != (front(i) < limbus) && !pressed(i);
+        let ticks = (1..outline.points.len()).filter(|i| is_limbus(*i));
+        let rings = ticks.map(|i| outline.tick(i, 0.9e-3, least)).collect();
+        shapes.push(Shape { part: Part::Limbus, rings });
     }
     let deep = if small { 1.0 } else { 0.5 };
     shapes.push(band(Part::Pressed, &pressed, 0.0, deep, 0.0));
     shapes
 }
 
-/// Whether a cell lies in the globe.
-pub(crate) fn in_globe(drawing: &Drawing, corners: &[usize; 4]) -> bool {
+/// The cells of the globe.
+pub fn globe_cells(drawing: &Drawing) -> impl Iterator<Item = &DrawnCell> {
     let outside = |node: &usize| matches!(drawing.nodes[*node].region, Region::Fat | Region::Orbit);
-    !corners.iter().any(outside)
+    drawing.cells.iter().filter(move |cell| !cell.corners.iter().any(outside))
 }
 
 /// The unit vector a quarter turn to the left.
@@ -344,14 +317,9 @@ fn bone(wall: &[Point2<f64>]) -> Option<Shape> {
     for (edge, next, i) in [(first, wall.get(1)?, 0), (last, &wall[count - 2], count - 1)] {
         let along = (next - edge).normalize();
         let middle = edge + (outward(i) * sense + along) * BONE_M.1 * 0.8;
-        rings.push(circle(middle, BONE_M.1));
+        rings.push(ellipse(middle, Vector2::x() * BONE_M.1, Vector2::y() * BONE_M.1));
     }
-    let part = Part::Bone;
-    Some(Shape { part, rings })
-}
-
-fn circle(middle: Point2<f64>, radius: f64) -> Vec<Point2<f64>> {
-    ellipse(middle, Vector2::x() * radius, Vector2::y() * radius)
+    Some(Shape { part: Part::Bone, rings })
 }
 
 fn ellipse(middle: Point2<f64>, a: Vector2<f64>, b: Vector2<f64>) -> Vec<Point2<f64>> {

@@ -12,9 +12,7 @@ const PRESSES_N: f64 = 0.3;
 
 /// What happens at a time in s, in full and in one word.
 pub fn said(answer: &Answer, time: f64) -> (String, &'static str) {
-    let Some(traces) = &answer.run.traces else {
-        return (String::new(), "");
-    };
+    let Some(traces) = &answer.run.traces else { return (String::new(), "") };
     let place = traces.time.partition_point(|t| *t < time);
     let at = |values: &[f64]| values.get(place.min(values.len().wrapping_sub(1))).copied();
     let deep = at(Trace::Of(Quantity::Apex).values(traces)).unwrap_or_default();

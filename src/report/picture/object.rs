@@ -8,7 +8,7 @@
 use nalgebra::{Point2, Vector2};
 
 use crate::report::picture::shell::Outline;
-use crate::report::picture::{Part, Shape, ellipse, left};
+use crate::report::picture::{Part, Shape, ellipse, left, sides};
 use crate::run::drawing::{Drawing, DrawnObject};
 use crate::run::kept::Frame;
 
@@ -25,7 +25,7 @@ const FAR: f64 = 0.3;
 
 /// The object before anything cuts it.
 pub(super) struct Hitting {
-    object: DrawnObject,
+    pub object: DrawnObject,
     middle: Point2<f64>,
     /// Half axes along its way and across, of a cylinder none.
     half: Option<(f64, f64)>,
@@ -46,10 +46,6 @@ impl Hitting {
         let across = (radius * (radius / along).sqrt()).min(WIDEST * radius);
         let middle = rear + direction * along;
         Some(Self { object, middle, half: Some((along, across)) })
-    }
-
-    pub fn direction(&self) -> Vector2<f64> {
-        self.object.direction
     }
 
     /// The object with its outline, at least `grain` thick.
@@ -92,10 +88,9 @@ impl Hitting {
 
 /// How far from a place a closed curve is first met on the way.
 fn crossing(curve: &[Point2<f64>], from: Point2<f64>, way: Vector2<f64>) -> Option<f64> {
-    let next = curve.iter().cycle().skip(1);
-    let met = curve.iter().zip(next).filter_map(|(a, b)| {
-        let aside = [a, b].map(|p| way.perp(&(p - from)));
-        let along = [a, b].map(|p| way.dot(&(p - from)));
+    let met = sides(curve).filter_map(|side| {
+        let aside = side.map(|p| way.perp(&(p - from)));
+        let along = side.map(|p| way.dot(&(p - from)));
         let meets = (aside[0] > 0.0) != (aside[1] > 0.0);
         let share = aside[0] / (aside[0] - aside[1]);
         meets.then(|| along[0] + share * (along[1] - along[0]))

@@ -3,7 +3,7 @@
 
 use nalgebra::{Point2, Vector2};
 
-use crate::report::picture::{Part, Shape, left};
+use crate::report::picture::{Part, Shape, left, sides};
 use crate::run::drawing::Drawing;
 
 /// How many times as thick as it is the shell is drawn.
@@ -17,8 +17,6 @@ pub(super) struct Outline {
     pub front: Vec<f64>,
     /// Of the shell as it is drawn, in m.
     thickness: Vec<f64>,
-    /// Points for each node.
-    split: usize,
     /// 1 where the left of the way round lies inside, else -1.
     sense: f64,
 }
@@ -29,41 +27,30 @@ impl Outline {
         let shell = &drawing.outlines.shell;
         let count = shell.len();
         let split = (points / count.max(1)).max(1);
-        let at = |i: usize| place(shell[i % count]);
-        let knots: Vec<_> = (0..count).map(at).collect();
-        let knot = |i: usize| knots[i % count];
-        let rest = |i: usize| {
-            let at = drawing.at_rest(&drawing.nodes[shell[i % count]]);
+        let knots: Vec<_> = shell.iter().map(|node| place(*node)).collect();
+        let angle = |node: &usize| {
+            let at = drawing.at_rest(&drawing.nodes[*node]);
             libm::atan2(at.y, -at.x).abs()
         };
-        let mut all = Self {
-            points: Vec::with_capacity(count * split),
-            front: Vec::new(),
-            thickness: Vec::new(),
-            split,
-            sense: 1.0,
-        };
+        let angles: Vec<f64> = shell.iter().map(angle).collect();
+        let thick: Vec<f64> = drawing.outlines.thickness.iter().map(|t| THICKER * t).collect();
+        let (mut points, mut front, mut thickness) = (Vec::new(), Vec::new(), Vec::new());
         for i in 0..count {
-            let p = [knot(i + count - 1), knot(i), knot(i + 1), knot(i + 2)].map(|p| p.coords);
-            let between = |of: &dyn Fn(usize) -> f64, s: f64| of(i) * (1.0 - s) + of(i + 1) * s;
-            for k in 0..split {
-                let s = k as f64 / split as f64;
+            let p = [i + count - 1, i, i + 1, i + 2].map(|i| knots[i % count].coords);
+            for s in (0..split).map(|k| k as f64 / split as f64) {
                 // Catmull and Rom's cubic.
                 let curve = p[1] * 2.0
                     + (p[2] - p[0]) * s
                     + (p[0] * 2.0 - p[1] * 5.0 + p[2] * 4.0 - p[3]) * (s * s)
                     + (p[1] * 3.0 - p[0] - p[2] * 3.0 + p[3]) * (s * s * s);
-                all.points.push(Point2::from(curve * 0.5));
-                all.front.push(between(&rest, s));
-                let thickness = |i: usize| THICKER * drawing.outlines.thickness[i % count];
-                all.thickness.push(between(&thickness, s));
+                points.push(Point2::from(curve * 0.5));
+                let between = |of: &[f64]| of[i] * (1.0 - s) + of[(i + 1) % count] * s;
+                front.push(between(&angles));
+                thickness.push(between(&thick));
             }
         }
-        let next = all.points.iter().cycle().skip(1);
-        let pairs = all.points.iter().zip(next);
-        let area: f64 = pairs.map(|(a, b)| a.coords.perp(&b.coords)).sum();
-        all.sense = area.signum();
-        all
+        let area: f64 = sides(&points).map(|[a, b]| a.coords.perp(&b.coords)).sum();
+        Self { points, front, thickness, sense: area.signum() }
     }
 
     /// Where on the curve a node rests, or the node of the shell next to it.
@@ -72,16 +59,14 @@ impl Outline {
         let apart = |other: &usize| (rest(*other) - rest(node)).norm();
         let shell = drawing.outlines.shell.iter().map(apart).enumerate();
         let (place, _) = shell.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some(place * self.split)
+        Some(place * self.points.len() / drawing.outlines.shell.len())
     }
 
     /// The point at the back.
     pub fn back(&self) -> usize {
-        let angles = self.front.iter().enumerate();
-        angles.max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
+        self.front.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
     }
 
-    /// Unit vector inwards.
     fn inward(&self, i: usize) -> Vector2<f64> {
         let count = self.points.len();
         let along = self.points[(i + 1) % count] - self.points[(i + count - 1) % count];
@@ -90,14 +75,9 @@ impl Outline {
 
     /// A layer of the shell: `of` a point it says from which to which share of the thickness, and
     /// how far beyond, in m; the thickness is `least` at least.
-    pub fn band(
-        &self,
-        part: Part,
-        least: f64,
-        of: impl Fn(usize) -> Option<(f64, f64, f64)>,
-    ) -> Shape {
+    pub fn band(&self, part: Part, least: f64, of: impl Fn(usize) -> Option<[f64; 3]>) -> Shape {
         let count = self.points.len();
-        let across = |i: usize, (from, to, more): (f64, f64, f64)| {
+        let across = |i: usize, [from, to, more]: [f64; 3]| {
             let (at, inward) = (self.points[i], self.inward(i));
             let thick = self.thickness[i].max(least);
             (at + inward * (from * thick), at + inward * (to * thick + more))
@@ -106,7 +86,7 @@ impl Outline {
         let start = (0..count).find(|i| of(*i).is_none()).unwrap_or(0);
         let (mut outer, mut inner) = (Vec::new(), Vec::new());
         let mut last = None;
-        for i in (start..=start + count).map(|i| i % count) {
+        for (i, ends) in (start..=start + count).map(|i| (i % count, i == start + count)) {
             let here = of(i);
             // It goes on to where the next one begins.
             if let Some(layer) = here.or(last) {
@@ -114,13 +94,11 @@ impl Outline {
                 outer.push(out);
                 inner.push(into);
             }
-            if here.is_none() && last.is_some() {
-                rings.push(closed(&mut outer, &mut inner));
+            if (here.is_none() || ends) && !outer.is_empty() {
+                outer.extend(inner.drain(..).rev());
+                rings.push(std::mem::take(&mut outer));
             }
             last = here;
-        }
-        if !outer.is_empty() {
-            rings.push(closed(&mut outer, &mut inner));
         }
         Shape { part, rings }
     }
@@ -132,10 +110,4 @@ impl Outline {
         let deep = inward * self.thickness[i].max(least);
         vec![at - aside, at + aside, at + aside + deep, at - aside + deep]
     }
-}
-
-fn closed(outer: &mut Vec<Point2<f64>>, inner: &mut Vec<Point2<f64>>) -> Vec<Point2<f64>> {
-    let mut ring = std::mem::take(outer);
-    ring.extend(std::mem::take(inner).into_iter().rev());
-    ring
 }

@@ -1,36 +1,22 @@
 //! Tests of the parent module.
 
-use crate::scenario::Rim;
-use crate::scenario::fields::*;
+use crate::scenario::{fields::*, load::parse};
 
 /// Scenarios that together hold every variant with fields.
 pub(crate) fn every_variant() -> [Scenario; 3] {
-    let projectile = Projectile {
-        stiffness: ProjectileStiffness::LINEAR,
-        angle_deg: 10.0,
-        angle_clock: 3.0,
-        offset_mm: 2.0,
-        offset_clock: 7.5,
-        ..Projectile::default()
-    };
-    let physiological = |support, surface| Scenario {
-        model: Model::Physiological(Physiological {
-            support,
-            rim: Rim::EAST_ASIAN,
-            ..Physiological::default()
-        }),
-        impact: Impact::Projectile(Projectile {
-            outline: Outline::CYLINDER,
-            surface,
-            restitution: 0.5,
-            ..projectile.clone()
-        }),
-        ..Scenario::default()
+    let round = |support: &str, surface: &str| {
+        let text = format!(
+            "(name: \"x\", model: Physiological(support: {support}, rim: EastAsian), impact: \
+             Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 20, angle_deg: 10, angle_clock: 3, \
+             offset_mm: 2, offset_clock: 7.5, stiffness: Linear(n_per_m: 2e4), restitution: 0.5, \
+             outline: Cylinder(edge_mm: 1), surface: {surface}))"
+        );
+        parse(&text, "x").unwrap()
     };
     [
         Scenario::default(),
-        physiological(Support::Orbit, Surface::ELASTIC),
-        physiological(Support::Gelatin, Surface::INFLATED),
+        round("Orbit", "Elastic(modulus_mpa: 5)"),
+        round("Gelatin", "Inflated(kpa: 110, modulus_mpa: 5)"),
     ]
 }
 
@@ -50,12 +36,14 @@ fn every_path_is_there_once_and_readable_in_some_scenario() {
 fn a_choice_keeps_what_it_already_is_and_starts_a_new_variant_from_its_default() {
     let mut scenario = Scenario::default();
     let Kind::Choice(shape) = &find("impact.shape").unwrap().kind else { panic!() };
-    *(PULSE_EDGE.get_mut)(&mut scenario).unwrap() = 0.3;
-    assert!(shape.set(&mut scenario, "SmoothRectangle"));
-    assert_eq!((PULSE_EDGE.get)(&scenario), Some(&0.3));
+    let of = |scenario: &Scenario| scenario.pulse().unwrap().shape.clone();
+    let own = PulseShape::SmoothRectangle { edge_fraction: 0.3 };
+    scenario.pulse_mut().unwrap().shape = own.clone();
+    assert!(shape.set(&mut scenario, "SmoothRectangle") && of(&scenario) == own);
     assert!(shape.set(&mut scenario, "Triangle"));
     assert_eq!(shape.get(&scenario), Some("Triangle"));
-    assert_eq!((PULSE_EDGE.get)(&scenario), None);
+    assert!(shape.set(&mut scenario, "SmoothRectangle"));
+    assert_eq!(of(&scenario), PulseShape::default());
     assert!(!shape.set(&mut scenario, "Square"));
 }
 

@@ -1,8 +1,7 @@
-//! Words that stand for the values of several fields: whose orbit it is, and where a blow comes
-//! from.
+//! Words for where a blow comes from, which stand for the values of several fields.
 
 use super::Choices;
-use crate::scenario::{Rim, Scenario};
+use crate::scenario::Scenario;
 use std::f64::consts::PI;
 
 /// The angle that a word alone stands for, in degrees.
@@ -53,9 +52,7 @@ impl Choices for Directions {
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
         let side = scenario.eye_side();
         let same = self.get(scenario) == Some(name);
-        let Some(projectile) = scenario.projectile_mut() else {
-            return false;
-        };
+        let Some(projectile) = scenario.projectile_mut() else { return false };
         if same {
             return true;
         }
@@ -63,43 +60,11 @@ impl Choices for Directions {
             projectile.angle_deg = 0.0;
             return true;
         }
-        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else {
-            return false;
-        };
+        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else { return false };
         projectile.angle_clock = side.hour(*azimuth);
         if projectile.angle_deg == 0.0 {
             projectile.angle_deg = USUAL_DEG;
         }
-        true
-    }
-}
-
-/// Whose rim: it stands for the eight lengths.
-pub(super) struct Rims;
-
-/// The word for lengths of one's own.
-const OWN: &str = "Own";
-
-impl Choices for Rims {
-    fn names(&self) -> Vec<&'static str> {
-        Rim::NAMED.iter().map(|(name, _)| *name).collect()
-    }
-
-    fn get(&self, scenario: &Scenario) -> Option<&'static str> {
-        let model = scenario.orbit()?;
-        let known = Rim::NAMED.iter().find(|(_, rim)| *rim == model.rim);
-        Some(known.map_or(OWN, |(name, _)| *name))
-    }
-
-    fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
-        if self.get(scenario) == Some(name) {
-            return true;
-        }
-        let found = Rim::NAMED.iter().find(|(known, _)| *known == name);
-        let (Some((_, rim)), Some(model)) = (found, scenario.orbit_mut()) else {
-            return false;
-        };
-        model.rim = *rim;
         true
     }
 }

@@ -2,22 +2,32 @@
 
 use crate::scenario::set::*;
 use crate::scenario::{
-    EyeInput, ForcePulse, Impact, Integrator, Lens, Physiological, Projectile, ProjectileStiffness,
-    PulseShape, Species,
+    EyeInput, ForcePulse, Impact, Integrator, Lens, fields::tests::every_variant,
 };
-use crate::scenario::{fields::tests::every_variant, library::tests::preset, load};
+use crate::scenario::{
+    Physiological, Projectile, ProjectileStiffness, library::tests::preset, load,
+};
+use crate::scenario::{PulseShape, Species};
 
-fn after(path: &str, text: &str) -> Scenario {
-    let mut scenario = Scenario::default();
+fn with(mut scenario: Scenario, path: &str, text: &str) -> Scenario {
     set(&mut scenario, path, text).unwrap_or_else(|error| panic!("{path}={text}: {error}"));
     scenario
 }
 
-fn refusal(path: &str, text: &str) -> String {
-    let mut scenario = Scenario::default();
-    let error = set(&mut scenario, path, text).unwrap_err();
-    assert_eq!(scenario, Scenario::default());
+fn after(path: &str, text: &str) -> Scenario {
+    with(Scenario::default(), path, text)
+}
+
+/// What is said of a change that is refused, which leaves the scenario as it was.
+fn refused(scenario: &Scenario, path: &str, text: &str) -> String {
+    let mut same = scenario.clone();
+    let error = set(&mut same, path, text).unwrap_err();
+    assert_eq!(same, *scenario);
     error.to_string()
+}
+
+fn refusal(path: &str, text: &str) -> String {
+    refused(&Scenario::default(), path, text)
 }
 
 fn pulse(scenario: &Scenario) -> &ForcePulse {
@@ -28,9 +38,7 @@ fn pulse(scenario: &Scenario) -> &ForcePulse {
 fn every_field_takes_back_its_own_text() {
     for scenario in every_variant() {
         for field in FIELDS {
-            let Some(text) = field.text(&scenario) else {
-                continue;
-            };
+            let Some(text) = field.text(&scenario) else { continue };
             let mut same = scenario.clone();
             set(&mut same, field.path, &text).unwrap();
             assert_eq!(same, scenario, "{}", field.path);
@@ -40,40 +48,33 @@ fn every_field_takes_back_its_own_text() {
 
 #[test]
 fn projectiles_and_models_are_set_whole_or_by_field() {
-    let mut scenario = after(
-        "impact",
-        "Projectile(mass_g: 0.345, diameter_mm: 4.5, speed_m_s: 62.5, stiffness: Linear(n_per_m: 2.4e5), \
-         unverified: [\"speed_m_s\"])",
-    );
-    set(&mut scenario, "impact.mass_g", "0.35").unwrap();
-    let object = scenario.projectile().unwrap();
+    let whole = "Projectile(mass_g: 0.345, diameter_mm: 4.5, speed_m_s: 62.5, \
+                 stiffness: Linear(n_per_m: 2.4e5), unverified: [\"speed_m_s\"])";
+    let shot = with(after("impact", whole), "impact.mass_g", "0.35");
+    let object = shot.projectile().unwrap();
     assert_eq!((object.mass_g, object.unverified.len()), (0.35, 1));
-    set(&mut scenario, "impact.speed_m_s", "60").unwrap();
-    set(&mut scenario, "impact.stiffness", "rigid").unwrap();
-    let object = scenario.projectile().unwrap();
+    let shot = with(with(shot, "impact.speed_m_s", "60"), "impact.stiffness", "rigid");
+    let object = shot.projectile().unwrap();
     assert_eq!(object.stiffness, ProjectileStiffness::Rigid);
     assert!(object.unverified.is_empty());
-    assert!(set(&mut scenario, "impact.force_n", "1").is_err());
+    refused(&shot, "impact.force_n", "1");
 
-    let parts = |scenario: &Scenario| *scenario.physiological().unwrap();
-    assert_eq!(parts(&after("model", "physiological")), Physiological::default());
-    let pig = parts(&after("model", "Physiological(species: Pig)"));
-    assert_eq!(pig.species, Species::Pig);
-    assert!(refusal("model.species", "Pig").contains("model is Paper, which has no species"));
-    let object =
-        Scenario { impact: Impact::Projectile(Projectile::default()), ..Scenario::default() };
-    assert!(
-        refusal("impact.surface", "Hard").contains("impact is ForcePulse, which has no surface")
-    );
-    let mut turned = object;
-    set(&mut turned, "model", "Physiological").unwrap();
-    set(&mut turned, "impact.surface", "Inflated(kpa: 150, modulus_mpa: 3)").unwrap();
-    set(&mut turned, "impact.surface.kpa", "120").unwrap();
-    set(&mut turned, "model.support", "gelatin").unwrap();
-    let refused = set(&mut turned, "model.fat_bulk_mpa", "1").unwrap_err();
-    assert!(refused.to_string().contains("which has no fat_bulk_mpa"));
-    let refused = set(&mut turned, "eye.fat_kpa", "1").unwrap_err();
-    assert!(refused.to_string().contains("model is Physiological, which has no eye.fat_kpa"));
+    let parts = |scenario: Scenario| *scenario.physiological().unwrap();
+    assert_eq!(parts(after("model", "physiological")), Physiological::default());
+    assert_eq!(parts(after("model", "Physiological(species: Pig)")).species, Species::Pig);
+    let shot = with(shot, "model", "Physiological");
+    let shot = with(shot, "impact.surface", "Inflated(kpa: 150, modulus_mpa: 3)");
+    let shot = with(with(shot, "impact.surface.kpa", "120"), "model.support", "gelatin");
+    let paper = Scenario::default();
+    for (scenario, path, said) in [
+        (&paper, "model.species", "model is Paper, which has no species"),
+        (&paper, "impact.surface", "impact is ForcePulse, which has no surface"),
+        (&shot, "model.fat_bulk_mpa", "which has no fat_bulk_mpa"),
+        (&shot, "eye.fat_kpa", "model is Physiological, which has no eye.fat_kpa"),
+    ] {
+        let refusal = refused(scenario, path, "1");
+        assert!(refusal.contains(said), "{refusal}");
+    }
 }
 
 #[test]
@@ -86,9 +87,8 @@ fn scalars_are_set_by_their_path() {
     assert_eq!(after("window_ms", "4").window_ms, Some(4.0));
     for text in ["None", "auto", "AUTO"] {
         assert_eq!(after("window_ms", text).window_ms, None);
-        let mut scenario = after("numerics.step_us", "2");
-        set(&mut scenario, "numerics.step_us", text).unwrap();
-        assert_eq!(scenario.numerics.step_us, None);
+        let automatic = with(after("numerics.step_us", "2"), "numerics.step_us", text);
+        assert_eq!(automatic.numerics.step_us, None);
     }
     assert_eq!(after("name", "any text, even (this)").name, "any text, even (this)");
     assert_eq!(after("name", "\"in \\\"quotes\\\"\"").name, "in \"quotes\"");
@@ -129,36 +129,26 @@ fn refusals_name_the_value_and_what_is_allowed() {
         assert!(refusal(path, " ").contains("nothing is there: allowed "));
     }
     assert!(refusal("impact.force_n", "1,5").contains("a point, not a comma"));
-    assert!(refusal("impact.force_n", "1e6").contains("1000000 is out of range"));
-    assert!(refusal("impact.force_n", "nan").contains("is not a finite number"));
     assert!(refusal("eye", "(level: 9)").starts_with("eye.level: 9 is out of range"));
     assert!(refusal("eye", "(levle: 1)").contains("did you mean level?"));
     assert!(refusal("impact.shape", "Square").contains("Triangle, HalfSine"));
-    assert!(refusal("eye.filament_hops", "2,2").contains("repeats"));
-    assert!(refusal("name", "  ").contains("is empty"));
 }
 
 #[test]
 fn refusals_of_a_path_lead_to_the_right_one() {
     assert!(refusal("farce_n", "1").contains("did you mean impact.force_n?"));
     assert!(refusal("", "1").contains("there is no such field"));
-    let mut scenario = after("impact.shape", "Triangle");
-    let error = set(&mut scenario, "impact.shape.edge_fraction", "0.1").unwrap_err();
     assert_eq!(
-        error.to_string(),
+        refused(&after("impact.shape", "Triangle"), "impact.shape.edge_fraction", "0.1"),
         "impact.shape.edge_fraction: impact.shape is Triangle, which has no edge_fraction"
     );
 }
 
 #[test]
 fn a_number_that_is_put_is_no_longer_unverified() {
-    let mut scenario = Scenario {
-        impact: Impact::Projectile(Projectile {
-            unverified: vec!["speed_m_s".to_owned(), "mass_g".to_owned()],
-            ..Projectile::default()
-        }),
-        ..Scenario::default()
-    };
+    let unverified = ["speed_m_s", "mass_g"].map(str::to_owned).to_vec();
+    let object = Projectile { unverified, ..Projectile::default() };
+    let mut scenario = Scenario::of(Impact::Projectile(object));
     put_number(&mut scenario, fields::find("impact.speed_m_s").unwrap(), 40.0);
     let object = scenario.projectile_mut().unwrap();
     assert_eq!((object.speed_m_s, &object.unverified[..]), (40.0, &["mass_g".to_owned()][..]));
@@ -166,9 +156,7 @@ fn a_number_that_is_put_is_no_longer_unverified() {
 
 #[test]
 fn the_end_of_a_path_is_enough_where_only_one_field_fits() {
-    let pulse = Scenario::default();
-    let mut object = Scenario::default();
-    set(&mut object, "impact", "Projectile").unwrap();
+    let (pulse, object) = (Scenario::default(), after("impact", "Projectile"));
     for (typed, path) in [
         ("force_n", "impact.force_n"),
         ("force", "impact.force_n"),
@@ -190,10 +178,8 @@ fn the_end_of_a_path_is_enough_where_only_one_field_fits() {
         assert_eq!(full_path(&pulse, typed), path, "{typed:?}");
     }
     assert_eq!(full_path(&object, "speed"), "impact.speed_m_s");
-    let mut short = object.clone();
-    set(&mut short, "speed", "45 +- 3").unwrap();
-    set(&mut object, "impact.speed_m_s", "45 +- 3").unwrap();
-    assert_eq!(short, object);
+    let short = with(object.clone(), "speed", "45 +- 3");
+    assert_eq!(short, with(object, "impact.speed_m_s", "45 +- 3"));
 }
 
 #[test]
@@ -228,29 +214,29 @@ fn what_is_next_to_nothing_is_nothing() {
 
 #[test]
 fn a_doubt_goes_with_its_field() {
-    let mut scenario = preset("squash-ball", &[]);
-    assert!(scenario.doubt.contains_key("impact.restitution"));
-    scenario.doubt.insert("impact.speed_m_s".to_owned(), 5.0);
-    set(&mut scenario, "impact.stiffness", "Rigid").unwrap();
-    set(&mut scenario, "impact.surface", "Hard").unwrap();
-    assert_eq!(scenario.doubt.keys().collect::<Vec<_>>(), ["impact.speed_m_s"]);
-    scenario.check().unwrap();
+    let mut ball = preset("squash-ball", &[]);
+    assert!(ball.doubt.contains_key("impact.restitution"));
+    ball.doubt.insert("impact.speed_m_s".to_owned(), 5.0);
+    let ball = with(with(ball, "impact.stiffness", "Rigid"), "impact.surface", "Hard");
+    assert_eq!(ball.doubt.keys().collect::<Vec<_>>(), ["impact.speed_m_s"]);
+    ball.check().unwrap();
+    let pulse = after("impact.shape.edge_fraction", "0.1 ± 0.02");
+    let pulse = with(pulse, "impact.force_n", "300 ± 10");
+    for (path, text, left) in [("impact.shape", "Triangle", 1), ("impact", "Projectile()", 0)] {
+        let whole = text.replace("()", "(mass_g: 1, diameter_mm: 6, speed_m_s: 5)");
+        assert_eq!(with(pulse.clone(), path, &whole).doubt.len(), left);
+    }
 }
 
 #[test]
 fn an_hour_is_typed_as_a_clock_shows_it() {
     let ball = preset("bb-62", &[]);
-    let hour = |text: &str| {
-        let mut scenario = ball.clone();
-        set(&mut scenario, "impact.angle_clock", text)?;
-        Ok(scenario.projectile().unwrap().angle_clock)
-    };
     for (text, wanted) in [("7:30", 7.5), (" 12:00 ", 12.0), ("7.5", 7.5), ("3", 3.0)] {
-        assert_eq!(hour(text).map_err(|e: ScenarioError| e.to_string()), Ok(wanted), "{text}");
+        let turned = with(ball.clone(), "impact.angle_clock", text);
+        assert_eq!(turned.projectile().unwrap().angle_clock, wanted, "{text}");
     }
     for text in ["7:60", "13:00", ":30", "7:3x"] {
-        assert!(hour(text).is_err(), "{text}");
+        refused(&ball, "impact.angle_clock", text);
     }
-    let mut other = ball.clone();
-    assert!(set(&mut other, "impact.speed_m_s", "7:30").is_err());
+    refused(&ball, "impact.speed_m_s", "7:30");
 }

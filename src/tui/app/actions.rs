@@ -3,9 +3,9 @@
 use crate::run::trace::Trace;
 use crate::scenario::{Scenario, set::set};
 use crate::tui::changes::{edit, presets, simulation, take_away, threshold, typing};
-use crate::tui::form::{FormRow, strength};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
-use crate::tui::{app::App, choices::Choice, clock::Moment, line::TextLine, outbox::Effect};
+use crate::tui::{app::App, clock::Moment, form::strength, model::AppModel};
+use crate::tui::{outbox::Effect, picker::Choice};
 
 /// Queues an effect for the disk, the clipboard, the terminal or a worker.
 pub(crate) fn push(app: &mut App, effect: Effect) {
@@ -26,19 +26,15 @@ pub(crate) fn toggle_mouse(app: &mut App) {
 pub(crate) fn toggle_idle(app: &mut App) {
     let model = &mut app.model;
     model.idle = !model.idle;
-    let words = if model.idle {
-        "idle work on: mesh error and bands are computed ahead"
-    } else {
-        "idle work off: nothing is computed ahead"
-    };
-    model.notice = Some(words.to_owned());
+    let ahead = ["off: nothing is", "on: mesh error and bands are"][usize::from(model.idle)];
+    model.notice = Some(format!("idle work {ahead} computed ahead"));
 }
 
 /// Leaves, after a question if work would be lost.
 pub(crate) fn quit(app: &mut App) {
     let model = &mut app.model;
     if model.is_edited() {
-        model.overlay = Some(Overlay::Prompt(Prompt::Quit { kept: model.goes_on }));
+        model.overlay = Some(Overlay::Prompt(Prompt::Quit(model.goes_on)));
     } else {
         model.out.effects.push(Effect::Quit(0));
     }
@@ -47,33 +43,27 @@ pub(crate) fn quit(app: &mut App) {
 /// Shows or hides the keys.
 pub(crate) fn help(app: &mut App) {
     let model = &mut app.model;
-    model.overlay = match model.overlay {
-        Some(Overlay::Help(_)) => None,
-        _ => Some(Overlay::Help(0)),
-    };
+    let is_shown = matches!(model.overlay, Some(Overlay::Help(_)));
+    model.overlay = (!is_shown).then_some(Overlay::Help(0));
 }
 
 /// Moves by so many rows through the list in front of the screen.
 pub(crate) fn scroll(app: &mut App, by: i16) {
-    let model = &mut app.model;
-    if let Some(Overlay::Help(line)) = &mut model.overlay {
-        *line = line.saturating_add_signed(by);
-    }
-    if let Some(Overlay::Change(what)) = &mut model.overlay {
-        what.go(isize::from(by));
-    }
-    if let Some(Overlay::Picker(picker)) = &mut model.overlay {
-        picker.move_cursor(isize::from(by));
+    match &mut app.model.overlay {
+        Some(Overlay::Help(line)) => *line = line.saturating_add_signed(by),
+        Some(Overlay::Change(what)) => what.go(isize::from(by)),
+        Some(Overlay::Picker(picker)) => picker.move_cursor(isize::from(by)),
+        _ => {}
     }
 }
 
 /// The scenario of a choice with another speed, or force.
-fn with_strength(choice: &Choice, typed: &str) -> Result<Scenario, String> {
+fn with_strength(model: &AppModel, choice: &Choice, typed: &str) -> Result<Scenario, String> {
     let mut scenario = choice.scenario.clone()?;
-    if let FormRow::Field(field) = strength(&scenario) {
+    if let Some(field) = strength(&scenario).field() {
         set(&mut scenario, field.path, typed).map_err(|why| why.to_string())?;
     }
-    Ok(scenario)
+    model.allows(&scenario).map(|()| scenario)
 }
 
 /// Accepts what is chosen in front of the screen, or what is typed.
@@ -81,35 +71,30 @@ pub(crate) fn accept(app: &mut App) {
     let model = &mut app.model;
     match &model.overlay {
         Some(Overlay::Picker(picker)) => {
-            let at = picker.shown.get(picker.row).copied();
-            let marks = picker.marked.is_some();
-            let stronger = picker.typed().1.zip(picker.chosen(&model.choices));
-            let stronger = stronger.map(|(typed, choice)| {
-                let scenario = with_strength(choice, typed)?;
-                model.allows(&scenario).map(|()| (choice.name.clone(), scenario))
-            });
+            let Some(at) = picker.shown.get(picker.row).copied() else {
+                return;
+            };
+            let choice = &model.choices[at];
+            let stronger = picker.typed().1.map(|typed| with_strength(model, choice, typed));
             let stronger = match stronger.transpose() {
                 Ok(stronger) => stronger,
                 Err(why) => return model.notice = Some(why),
             };
-            match at {
-                Some(at) if marks => {
-                    app.screens[app.screen].mark_choice(model, at);
-                    if let Some((name, scenario)) = stronger {
-                        app.screens[app.screen].take_changed(model, &name, &scenario);
-                    }
+            if picker.marked.is_some() {
+                let name = choice.name.clone();
+                app.screens[app.screen].mark_choice(model, at);
+                if let Some(scenario) = stronger {
+                    app.screens[app.screen].take_changed(model, &name, &scenario);
                 }
-                Some(at) => {
-                    model.overlay = None;
-                    presets::open(model, at);
-                    if let Some((_, scenario)) = stronger {
-                        edit::change(model, model.work.with(scenario), "");
-                    }
-                    model.form.selected = strength(&model.work.scenario);
-                    // The screen of the form is the first, its form the first pane.
-                    app.screens[0].show_pane(0);
+            } else {
+                model.overlay = None;
+                presets::open(model, at);
+                if let Some(scenario) = stronger {
+                    edit::change(model, model.work.with(scenario), "");
                 }
-                None => {}
+                model.form.selected = strength(&model.work.scenario);
+                // The screen of the form is the first, its form the first pane.
+                app.screens[0].show_pane(0);
             }
         }
         Some(Overlay::Name(naming, input, _)) => {
@@ -148,19 +133,14 @@ pub(crate) fn cancel(app: &mut App) {
     if threshold::stop(model) {
         return;
     }
-    match model.overlay.take() {
+    if let Some(left) = model.overlay.take() {
         // Back to the list that it came from.
-        Some(Overlay::Name(Naming::Rename(from), ..)) => {
+        if let Overlay::Name(Naming::Rename(from), ..) = left {
             presets::open_picker_at(model, &from);
-            return;
         }
-        Some(_) => return,
-        None => {}
-    }
-    if model.form.typing.take().is_some() {
-        return;
-    }
-    if model.page.stop(None, &mut model.out) {
+    } else if model.form.typing.take().is_some() {
+        // Nothing is typed any more.
+    } else if model.page.stop(None, &mut model.out) {
         model.notice = Some("no page is written".to_owned());
     } else if !app.screens[app.screen].cancel(model) {
         simulation::cancel(model);
@@ -170,35 +150,21 @@ pub(crate) fn cancel(app: &mut App) {
 /// Answers yes or no to what is asked.
 pub(crate) fn reply(app: &mut App, yes: bool) {
     let model = &mut app.model;
-    match model.overlay.take() {
-        Some(Overlay::Prompt(Prompt::Adopt(_, scenario))) if yes => {
-            edit::adopt(model, *scenario);
+    let Some(Overlay::Prompt(question)) = model.overlay.take() else {
+        return;
+    };
+    match question {
+        Prompt::Adopt(_, scenario) if yes => edit::adopt(model, *scenario),
+        Prompt::Page(stem, text) if yes => model.out.effects.push(Effect::Page(stem, text)),
+        Prompt::Page(..) => model.notice = Some("no page is written".to_owned()),
+        Prompt::Quit(_) if yes => model.out.effects.push(Effect::Quit(0)),
+        Prompt::Replace(name) | Prompt::Hide(name) if yes => presets::save(model, name, true),
+        Prompt::Replace(name) | Prompt::Hide(name) => {
+            presets::ask_name(model, Naming::Save, name, None);
         }
-        Some(Overlay::Prompt(Prompt::Page(stem, text))) => {
-            if yes {
-                model.out.effects.push(Effect::Page(stem, text));
-            } else {
-                model.notice = Some("no page is written".to_owned());
-            }
-        }
-        Some(Overlay::Prompt(Prompt::Quit { .. })) if yes => {
-            model.out.effects.push(Effect::Quit(0));
-        }
-        Some(Overlay::Prompt(Prompt::Replace(name) | Prompt::Hide(name))) => {
-            if yes {
-                presets::save(model, name, true);
-            } else {
-                model.overlay = Some(Overlay::Name(Naming::Save, TextLine::of(name), None));
-            }
-        }
-        Some(Overlay::Prompt(Prompt::Remove(name))) => {
-            if yes {
-                model.out.effects.push(Effect::Remove(name));
-            } else {
-                presets::open_picker_at(model, &name);
-            }
-        }
-        _ => {}
+        Prompt::Remove(name) if yes => model.out.effects.push(Effect::Remove(name)),
+        Prompt::Remove(name) => presets::open_picker_at(model, &name),
+        Prompt::Adopt(..) | Prompt::Quit(_) => {}
     }
 }
 
@@ -250,11 +216,8 @@ pub(crate) fn jump_to_peak(app: &mut App, forward: bool) {
 
 /// Plays or pauses.
 pub(crate) fn play(app: &mut App) {
-    // Nobody has chosen a moment yet: begin at the beginning.
-    let time = match app.model.clock.moment {
-        Moment::Deepest => 0.0,
-        Moment::At(_) => app.time(),
-    };
-    app.model.clock.moment = Moment::At(time);
+    // Where nobody has chosen a moment yet, it begins at the beginning.
+    let is_chosen = app.model.clock.moment != Moment::Deepest;
+    app.model.clock.moment = Moment::At(if is_chosen { app.time() } else { 0.0 });
     app.model.clock.playing = !app.model.clock.playing;
 }

@@ -1,6 +1,5 @@
 //! Drawing: a pure function of the app. The title above, the screen on show, the keys below, and
-//! what stands in front; where the terminal has only ASCII, all of it is rewritten once, at the
-//! end.
+//! what stands in front; for a terminal with only ASCII it is rewritten once, at the end.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -75,17 +74,15 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
     // Where room is short the program's name gives way, then the question of the screen on show,
     // then the space between the names of the screens, then those of the others.
     let label = |place: usize, screen: &About, (form, asks): (Form, bool)| {
-        let (number, title) = (format!("F{}", place + 1), screen.title);
+        let name = format!("F{} {}", place + 1, screen.title);
         match form {
-            _ if place == app.screen && asks => {
-                format!("[{number} {title}: {}]", screen.question)
-            }
-            _ if place == app.screen => format!("[{number} {title}]"),
+            _ if place == app.screen && asks => format!("[{name}: {}]", screen.question),
+            _ if place == app.screen => format!("[{name}]"),
             // The bracket before it is space enough.
-            Form::Tight if place == app.screen + 1 => format!("{number} {title}"),
-            Form::Brief => format!(" {number} "),
-            Form::Tight => format!(" {number} {title}"),
-            Form::Wide => format!(" {number} {title} "),
+            Form::Tight if place == app.screen + 1 => name,
+            Form::Brief => format!(" F{} ", place + 1),
+            Form::Tight => format!(" {name}"),
+            Form::Wide => format!(" {name} "),
         }
     };
     let length = |form| {
@@ -99,8 +96,8 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
         ((Form::Brief, true), name),
     ];
     let fits = |(form, name): &((Form, bool), u16)| length(*form) + name <= columns;
-    let form = candidates.into_iter().find(fits);
-    let form = form.map_or((Form::Brief, false), |(form, _)| form);
+    let first = candidates.into_iter().find(fits);
+    let form = first.map_or((Form::Brief, false), |(form, _)| form);
     let named = columns.saturating_sub(length((Form::Wide, true)) + name) > text::width(PROGRAM);
     let mut x = match (form.0, named) {
         (_, true) => 1 + text::width(PROGRAM),
@@ -135,16 +132,14 @@ enum Form {
 
 /// The name of the program, the screens with their keys, and the preset.
 fn title(app: &App, sheet: &mut Sheet) {
-    let area = sheet.area;
-    let model = &app.model;
-    let theme = sheet.theme;
+    let (area, theme, model) = (sheet.area, sheet.theme, &app.model);
     let row = Rect::new(0, 0, area.width, 1);
     sheet.buffer.set_style(row, theme.bar());
     let name = model.title();
     let tabs = tabs(app, area.width);
     let mut x = 0;
     if tabs[0].0 > 1 {
-        x = sheet.at(row).put((x, 0), PROGRAM, theme.bar_strong());
+        x = sheet.at(row).put((x, 0), PROGRAM, theme.bar().bold());
     }
     // Where the names of the screens are tight, so is the space round the preset's.
     let margin = u16::from(tabs[0].0 > 0);
@@ -156,11 +151,8 @@ fn title(app: &App, sheet: &mut Sheet) {
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
     // The mark of an edit is worth more than the name, of which parts are worth nothing while it
     // is short.
-    let (short, mark) = if model.is_edited() {
-        (format!("{} *", model.work.name()), "*")
-    } else {
-        (name.clone(), "")
-    };
+    let mark = if model.is_edited() { "*" } else { "" };
+    let short = format!("{} {mark}", model.work.name());
     let fits = |name: &&String| usize::from(text::width(name)) <= room;
     let name = match [&name, &short].into_iter().find(fits) {
         Some(name) => name.clone(),

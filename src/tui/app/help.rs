@@ -2,7 +2,7 @@
 
 use crate::guide;
 use crate::tui::app::{App, tables};
-use crate::tui::view::popup::{MARGIN, frame};
+use crate::tui::view::overlay::{MARGIN, frame};
 use crate::tui::view::{PURPOSE, SMALLEST};
 use crate::tui::{keys::KeyList, view::sheet::Sheet, view::text::wrapped};
 
@@ -10,8 +10,7 @@ use crate::tui::{keys::KeyList, view::sheet::Sheet, view::text::wrapped};
 const HELP: u16 = 76;
 const KEYS: u16 = 18;
 
-/// The help as lines: a heading, or keys and what they do. First what counts on the screen on
-/// show, then the rest, then every word explained.
+/// The help as lines, a heading or keys and what they do: first those of the screen on show.
 fn lines(app: &App, room: usize) -> Vec<(String, String)> {
     let screen = app.about();
     let heading = |text: String| (text, String::new());
@@ -24,14 +23,10 @@ fn lines(app: &App, room: usize) -> Vec<(String, String)> {
         lines.push(heading(list.title.to_owned()));
         for key in list.keys {
             let names = key.names(&app.model.keys).join(" ");
-            let mut keys = wrapped(&names, usize::from(KEYS) - 3).into_iter();
-            let mut words = wrapped(key.help, room - usize::from(KEYS)).into_iter();
-            loop {
-                let (key, word) = (keys.next(), words.next());
-                if key.is_none() && word.is_none() {
-                    break;
-                }
-                let (key, word) = (key.unwrap_or_default(), word.unwrap_or_default());
+            let keys = wrapped(&names, usize::from(KEYS) - 3);
+            let words = wrapped(key.help, room - usize::from(KEYS));
+            for row in 0..keys.len().max(words.len()) {
+                let [key, word] = [&keys, &words].map(|of| of.get(row).map_or("", String::as_str));
                 lines.push((format!("  {key}"), format!(" {word}")));
             }
         }
@@ -81,9 +76,8 @@ pub fn draw(app: &App, line: u16, sheet: &mut Sheet) {
     let inside = sheet.area;
     let lines = lines(app, usize::from(inside.width));
     let last = (lines.len() as u16).saturating_sub(inside.height);
-    for (y, (keys, what)) in
-        lines.iter().skip(usize::from(line.min(last))).take(usize::from(inside.height)).enumerate()
-    {
+    let shown = lines.iter().skip(usize::from(line.min(last)));
+    for (y, (keys, what)) in shown.take(usize::from(inside.height)).enumerate() {
         let style = if what.is_empty() { theme.heading() } else { theme.strong() };
         sheet.put((0, y as u16), keys, style);
         // Words of the glossary have no keys before them.

@@ -2,8 +2,6 @@
 
 pub mod actions;
 pub(crate) mod chosen_keys;
-#[cfg(test)]
-pub(crate) mod driven;
 pub mod frame;
 mod help;
 mod mouse;
@@ -16,8 +14,8 @@ use std::any::Any;
 
 use crate::tui::changes::{samples, simulation};
 use crate::tui::model::{AppModel, Timed};
+use crate::tui::screens::SCREENS;
 use crate::tui::screens::screen::{About, PaneFacts, Screen};
-use crate::tui::{screens::SCREENS, work::Work};
 
 /// Everything between two messages.
 pub struct App {
@@ -32,15 +30,6 @@ pub struct App {
 }
 
 impl App {
-    /// The app with nothing on its screens yet, opened on these.
-    pub fn new(mut model: AppModel, works: &[Work]) -> Self {
-        let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
-        for screen in &mut screens {
-            screen.opened_on(&mut model, works);
-        }
-        Self { model, screens, screen: 0, dragging: false }
-    }
-
     /// The screen on show.
     pub fn on_show(&self) -> &dyn Screen {
         self.screens[self.screen].as_ref()
@@ -91,8 +80,7 @@ impl App {
         self.model.clock.time_in(self.timed())
     }
 
-    /// Has everybody ask for what is wanted now and stop what no longer is. What nobody asked for
-    /// comes after what somebody did.
+    /// Has everybody ask for what is wanted now and stop what no longer is.
     pub fn refresh_requests(&mut self) {
         let model = &mut self.model;
         for (place, screen) in self.screens.iter_mut().enumerate() {

@@ -17,15 +17,11 @@ pub(super) fn handle(app: &mut App, event: MouseEvent, size: (u16, u16)) {
         MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => {
             let up = event.kind == MouseEventKind::ScrollUp;
             let coarse = event.modifiers.contains(KeyModifiers::SHIFT);
-            match &app.model.overlay {
-                Some(Overlay::Help(_) | Overlay::Picker(_)) => {
-                    scroll(app, if up { -1 } else { 1 });
-                }
-                _ if busy => {}
-                _ => {
-                    app.model.notice = None;
-                    send_to_screen(app, Mouse::Wheel(at, Step { up, coarse }), size);
-                }
+            if let Some(Overlay::Help(_) | Overlay::Picker(_)) = app.model.overlay {
+                scroll(app, if up { -1 } else { 1 });
+            } else if !busy {
+                app.model.notice = None;
+                send_to_screen(app, Mouse::Wheel(at, Step { up, coarse }), size);
             }
         }
         MouseEventKind::Drag(MouseButton::Left) if app.dragging => {

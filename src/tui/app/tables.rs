@@ -1,22 +1,19 @@
-//! The keys that belong to no pane: those of every screen, those of time, and those of what stands
-//! in front of a screen; and all tables together.
+//! The keys of every screen, of time, and of what stands in front; and all tables together.
+
+use std::sync::LazyLock;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::tui::app::{App, actions};
-use crate::tui::changes::{edit, presets, threshold, typing};
-use crate::tui::keys;
-use crate::tui::keys::chosen::{Clash, Keys};
+use crate::tui::changes::{edit, presets, threshold::ask_otherwise, typing};
 #[cfg(unix)]
 use crate::tui::keys::press::SUSPEND;
-use crate::tui::keys::press::{
-    BACK_TAB, DOWN, END, ENTER, ESC, HOME, LEFT, PAGE_DOWN, PAGE_UP, Press, RIGHT, TAB, UP, alt, c,
-    ctrl, plain,
-};
-use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
-use crate::tui::screens::screen::Screen;
+use crate::tui::keys::press::{BACK_TAB, DOWN, END, ENTER, ESC, HOME, LEFT, PAGE_DOWN, PAGE_UP};
+use crate::tui::keys::press::{Press, RIGHT, TAB, UP, alt, c, ctrl, plain};
+use crate::tui::keys::{self, Binding, Key, KeyList, KeyTable, TimeKeys, chosen::Keys};
+use crate::tui::screens::{SCREENS, screen::About, screen::Screen};
 use crate::tui::{
-    model::AppModel, outbox::Effect, overlay::Overlay, picker::PAGE, screens::SCREENS,
+    model::AppModel, outbox::Effect, overlay::Overlay, picker::PAGE, threshold::Asking,
 };
 
 /// What a key does to the app.
@@ -32,87 +29,61 @@ const fn bind(
     Binding { key, act }
 }
 
-const fn named(name: &'static str, binding: Binding<AppAct>) -> Binding<AppAct> {
-    binding.named(name)
-}
-
 #[cfg(unix)]
-const STOP: Binding<AppAct> = bind(
-    &[SUSPEND],
-    |app| actions::push(app, Effect::Suspend),
-    "",
-    "stop; fg in the shell goes on",
-);
+const STOP: Binding<AppAct> =
+    bind(&[SUSPEND], |a| actions::push(a, Effect::Suspend), "", "stop; fg in the shell goes on");
 const LEAVE: Binding<AppAct> =
     bind(&[ctrl('c')], |app| actions::push(app, Effect::Quit(130)), "", "leave at once");
 
 /// On every screen, unless something is typed or asked.
 #[rustfmt::skip]
 pub(crate) static EVERYWHERE: KeyTable<AppAct> = KeyTable::new("Everywhere", &[
-    named("next_pane", bind(&[TAB], |a| a.change_pane(true), "pane", "the next pane")),
-    named("pane_before", bind(&[BACK_TAB], |a| a.change_pane(false), "", "the pane before")),
-    named("help", bind(&[c('?')], actions::help, "keys", "show or hide the keys")),
-    named("quit", bind(&[c('q')], actions::quit, "quit", "quit; asks if work would be lost")),
-    named("save", bind(&[c('s')], |a| presets::ask_for_name(&mut a.model), "save", "save as a preset of your own")),
-    named("undo", bind(&[c('u')], |a| edit::travel(&mut a.model, true), "undo", "undo")),
-    named("redo", bind(&[c('r'), ctrl('r')], |a| edit::travel(&mut a.model, false), "", "redo")),
-    named("presets", bind(&[c('p')], |a| presets::open_picker(&mut a.model), "presets", "open a preset")),
-    named("page", bind(&[c('w')], actions::write_page, "page", "write a page of this for a browser, as a new file")),
-    named("more_exact", bind(&[c('>')], |a| actions::propose(a, true), "exact", "more exact: says what it costs, and asks")),
-    named("quicker", bind(&[c('<')], |a| actions::propose(a, false), "&", "faster: says what it costs, and asks")),
-    named("copy", bind(&[c('y')], actions::copy_summary, "", "copy a summary and its command")),
-    named("cancel", bind(&[ESC], actions::cancel, "", "cancel a long run")),
-    named("idle", bind(&[c('I')], actions::toggle_idle, "", "compute ahead while you do nothing, or no longer")),
-    named("mouse", bind(&[c('M')], actions::toggle_mouse, "", "listen to the mouse, or no longer")),
-    named("redraw", bind(&[ctrl('l')], |a| actions::push(a, Effect::Repaint), "", "draw everything afresh")),
+    bind(&[TAB], |a| a.change_pane(true), "pane", "the next pane").named("next_pane"),
+    bind(&[BACK_TAB], |a| a.change_pane(false), "", "the pane before").named("pane_before"),
+    bind(&[c('?')], actions::help, "keys", "show or hide the keys").named("help"),
+    bind(&[c('q')], actions::quit, "quit", "quit; asks if work would be lost").named("quit"),
+    bind(&[c('s')], |a| presets::ask_for_name(&mut a.model), "save", "save as a preset of your own").named("save"),
+    bind(&[c('u')], |a| edit::travel(&mut a.model, true), "undo", "undo").named("undo"),
+    bind(&[c('r'), ctrl('r')], |a| edit::travel(&mut a.model, false), "", "redo").named("redo"),
+    bind(&[c('p')], |a| presets::open_picker(&mut a.model), "presets", "open a preset").named("presets"),
+    bind(&[c('w')], actions::write_page, "page", "write a page of this for a browser, as a new file").named("page"),
+    bind(&[c('>')], |a| actions::propose(a, true), "exact", "more exact: says what it costs, and asks").named("more_exact"),
+    bind(&[c('<')], |a| actions::propose(a, false), "&", "faster: says what it costs, and asks").named("quicker"),
+    bind(&[c('y')], actions::copy_summary, "", "copy a summary and its command").named("copy"),
+    bind(&[ESC], actions::cancel, "", "cancel a long run").named("cancel"),
+    bind(&[c('I')], actions::toggle_idle, "", "compute ahead while you do nothing, or no longer").named("idle"),
+    bind(&[c('M')], actions::toggle_mouse, "", "listen to the mouse, or no longer").named("mouse"),
+    bind(&[ctrl('l')], |a| actions::push(a, Effect::Repaint), "", "draw everything afresh").named("redraw"),
     #[cfg(unix)]
     STOP,
     LEAVE,
 ]);
 
-/// The keys of each screen: a function key, its number with Alt, and alone, which types a value in
-/// the form.
-const SHOW_PRESSES: [[Press; 3]; SCREENS.len()] = {
-    let mut presses = [[ESC; 3]; SCREENS.len()];
-    let mut i = 0;
-    while i < presses.len() {
-        let digit = (b'1' + i as u8) as char;
-        presses[i] = [plain(KeyCode::F(1 + i as u8)), alt(digit), c(digit)];
-        i += 1;
-    }
-    presses
-};
-
-static SHOW_PRESSES_KEPT: [[Press; 3]; SCREENS.len()] = SHOW_PRESSES;
-
-static SHOW_BINDINGS: [Binding<usize>; SCREENS.len()] = {
-    let nothing = Key::new(&[], "", "");
-    let mut bindings = [Binding { key: nothing, act: 0 }; SCREENS.len()];
-    let mut i = 0;
-    while i < bindings.len() {
-        let key = Key::new(&SHOW_PRESSES_KEPT[i], "", SCREENS[i].purpose);
-        bindings[i] = Binding { key, act: i }.named(SCREENS[i].title);
-        i += 1;
-    }
-    bindings
-};
-
-/// One key a screen, in the order of their list, each with the place of its screen.
-pub(crate) static SHOW: KeyTable<usize> = KeyTable::new("Screens", &SHOW_BINDINGS);
+/// One key a screen, in the order of their list, each with the place of its screen: a function
+/// key, its number with Alt, and alone, which types a value in the form.
+pub(crate) static SHOW: LazyLock<KeyTable<usize>> = LazyLock::new(|| {
+    let binding = |(act, about): (usize, &About)| {
+        let digit = (b'1' + act as u8) as char;
+        let presses = vec![plain(KeyCode::F(1 + act as u8)), alt(digit), c(digit)];
+        Binding { key: Key::new(presses.leak(), "", about.purpose), act }.named(about.title)
+    };
+    let bindings: Vec<_> = SCREENS.iter().enumerate().map(binding).collect();
+    KeyTable::new("Screens", bindings.leak())
+});
 
 /// Wherever time can be moved, unless the pane has the key for itself.
 #[rustfmt::skip]
 pub(crate) static TIME: KeyTable<AppAct> = KeyTable::new("Time", &[
-    named("play", bind(&[c(' ')], actions::play, "play", "play or pause")),
-    named("next_peak", bind(&[c('g')], |a| actions::jump_to_peak(a, true), "peak", "to the time of the next peak")),
-    named("peak_before", bind(&[c('G')], |a| actions::jump_to_peak(a, false), "", "to the time of the peak before")),
-    named("first_frame", bind(&[HOME], |a| actions::stay_at(a, 0.0), "", "to the first frame")),
-    named("last_frame", bind(&[END], |a| actions::stay_at(a, a.timed().map_or(0.0, |timed| timed.1)), "", "to the last frame")),
-    named("faster", bind(&[c('+'), c('=')], |a| a.model.clock.change_speed(true), "speed", "twice as fast")),
-    named("slower", bind(&[c('-'), c('_')], |a| a.model.clock.change_speed(false), "&", "half as fast")),
-    named("exaggerate", bind(&[c('z')], |a| a.model.clock.change_zoom(), "larger", "show motion larger: x 1, 2, 5, 10")),
-    named("heat", bind(&[c('C')], |a| a.model.look.heat = a.model.look.heat.other(), "", "colours of force: the paper's, or even ones")),
-    named("detail", bind(&[c('e')], |a| a.model.clock.change_detail(), "detail", "edges, nodes or outline")),
+    bind(&[c(' ')], actions::play, "play", "play or pause").named("play"),
+    bind(&[c('g')], |a| actions::jump_to_peak(a, true), "peak", "to the time of the next peak").named("next_peak"),
+    bind(&[c('G')], |a| actions::jump_to_peak(a, false), "", "to the time of the peak before").named("peak_before"),
+    bind(&[HOME], |a| actions::stay_at(a, 0.0), "", "to the first frame").named("first_frame"),
+    bind(&[END], |a| actions::stay_at(a, a.timed().map_or(0.0, |timed| timed.1)), "", "to the last frame").named("last_frame"),
+    bind(&[c('+'), c('=')], |a| a.model.clock.change_speed(true), "speed", "twice as fast").named("faster"),
+    bind(&[c('-'), c('_')], |a| a.model.clock.change_speed(false), "&", "half as fast").named("slower"),
+    bind(&[c('z')], |a| a.model.clock.change_zoom(), "larger", "show motion larger: x 1, 2, 5, 10").named("exaggerate"),
+    bind(&[c('C')], |a| a.model.look.heat = a.model.look.heat.other(), "", "colours of force: the paper's, or even ones").named("heat"),
+    bind(&[c('e')], |a| a.model.clock.change_detail(), "detail", "edges, nodes or outline").named("detail"),
 ]);
 
 /// While a value or a name is typed.
@@ -120,9 +91,6 @@ pub(crate) static TIME: KeyTable<AppAct> = KeyTable::new("Time", &[
 static TYPING: KeyTable<AppAct> = KeyTable::new("Typing", &[
     bind(&[ENTER], actions::accept, "accept", "accept"),
     bind(&[ESC], actions::cancel, "cancel", "leave it as it was"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// While a value of the form is typed.
@@ -134,9 +102,6 @@ static VALUE: KeyTable<AppAct> = KeyTable::new("Typing a value", &[
     bind(&[LEFT], |a| typing::sideways(&mut a.model, KeyCode::Left), "", "through the text; after a digit: accept"),
     bind(&[RIGHT], |a| typing::sideways(&mut a.model, KeyCode::Right), "", "the same"),
     bind(&[ESC], actions::cancel, "restore", "leave it as it was; F1 to F8 accept and show a screen"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// In the list of presets to open.
@@ -152,9 +117,6 @@ static PICKER: KeyTable<AppAct> = KeyTable::new("List of presets", &[
     bind(&[plain(KeyCode::F(2))], |a| presets::ask_to_rename(&mut a.model), "rename", "rename a preset of your own"),
     bind(&[plain(KeyCode::Delete)], |a| presets::ask_to_remove(&mut a.model), "remove", "remove a preset of your own"),
     bind(&[ESC], actions::cancel, "close", "close the list; letters are searched for"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// In the list of presets to mark for a comparison.
@@ -166,9 +128,6 @@ static MARKER: KeyTable<AppAct> = KeyTable::new("Compare: find", &[
     bind(&[PAGE_DOWN], |a| actions::scroll(a, PAGE), "", "ten presets down"),
     bind(&[ENTER], actions::accept, "mark", "mark or unmark it, and find the next"),
     bind(&[ESC], actions::cancel, "close", "close the list; letters are searched for"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// While a field of a marked preset is changed.
@@ -178,22 +137,16 @@ static CHANGING: KeyTable<AppAct> = KeyTable::new("Compare: a value", &[
     bind(&[DOWN, TAB], |a| actions::scroll(a, 1), "&", "the field below"),
     bind(&[ENTER], actions::accept, "take", "compare it with this value"),
     bind(&[ESC], actions::cancel, "leave", "leave it as it was"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// While it is asked at which value a result reaches another one.
 #[rustfmt::skip]
 static THRESHOLD: KeyTable<AppAct> = KeyTable::new("At which value", &[
-    bind(&[UP], |a| threshold::next_result(&mut a.model, false), "result", "the result before"),
-    bind(&[DOWN], |a| threshold::next_result(&mut a.model, true), "&", "the next result"),
+    bind(&[UP], |a| ask_otherwise(&mut a.model, |asking| asking.next_result(false)), "result", "the result before"),
+    bind(&[DOWN], |a| ask_otherwise(&mut a.model, |asking| asking.next_result(true)), "&", "the next result"),
     bind(&[ENTER], actions::accept, "find, take", "look for the value; then take it into the form"),
-    bind(&[TAB], |a| threshold::next_crossing(&mut a.model), "next", "the next value, where there are several"),
+    bind(&[TAB], |a| ask_otherwise(&mut a.model, Asking::next_crossing), "next", "the next value, where there are several"),
     bind(&[ESC], actions::cancel, "stop", "stop looking; then close"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// While yes or no is asked.
@@ -201,9 +154,6 @@ static THRESHOLD: KeyTable<AppAct> = KeyTable::new("At which value", &[
 static QUESTION: KeyTable<AppAct> = KeyTable::new("Question", &[
     bind(&[c('y'), ENTER], |a| actions::reply(a, true), "yes", "yes"),
     bind(&[c('n'), ESC], |a| actions::reply(a, false), "no", "no"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
 
 /// While the keys are shown.
@@ -214,52 +164,61 @@ static HELP: KeyTable<AppAct> = KeyTable::new("Help", &[
     bind(&[PAGE_UP], |a| actions::scroll(a, -PAGE), "", "ten lines up"),
     bind(&[PAGE_DOWN], |a| actions::scroll(a, PAGE), "", "ten lines down"),
     bind(&[c('?'), ESC, c('q')], actions::help, "close", "close the help"),
-    LEAVE,
-    #[cfg(unix)]
-    STOP,
 ]);
+
+/// Whatever stands in front of a screen.
+static ALWAYS: KeyTable<AppAct> = KeyTable::new(
+    "",
+    &[
+        LEAVE,
+        #[cfg(unix)]
+        STOP,
+    ],
+);
 
 /// The tables of what can stand in front of a screen.
 static IN_FRONT: [&KeyTable<AppAct>; 8] =
     [&VALUE, &TYPING, &PICKER, &MARKER, &CHANGING, &THRESHOLD, &QUESTION, &HELP];
 
 /// The keys of what stands in front of the screen now. Nothing behind it gets any.
-pub(crate) fn in_front(model: &AppModel) -> Option<&'static KeyTable<AppAct>> {
-    match &model.overlay {
-        Some(Overlay::Help(_)) => Some(&HELP),
-        Some(Overlay::Picker(picker)) if picker.marked.is_some() => Some(&MARKER),
-        Some(Overlay::Picker(_)) => Some(&PICKER),
-        Some(Overlay::Change(_)) => Some(&CHANGING),
-        Some(Overlay::Threshold(_)) => Some(&THRESHOLD),
-        Some(Overlay::Name(..)) => Some(&TYPING),
-        Some(Overlay::Prompt(_)) => Some(&QUESTION),
-        None => model.form.typing.is_some().then_some(&VALUE),
-    }
+pub(crate) fn in_front(model: &AppModel) -> Option<[&'static KeyTable<AppAct>; 2]> {
+    let own = match &model.overlay {
+        Some(Overlay::Help(_)) => &HELP,
+        Some(Overlay::Picker(picker)) if picker.marked.is_some() => &MARKER,
+        Some(Overlay::Picker(_)) => &PICKER,
+        Some(Overlay::Change(_)) => &CHANGING,
+        Some(Overlay::Threshold(_)) => &THRESHOLD,
+        Some(Overlay::Name(..)) => &TYPING,
+        Some(Overlay::Prompt(_)) => &QUESTION,
+        None if model.form.typing.is_some() => &VALUE,
+        None => return None,
+    };
+    Some([own, &ALWAYS])
 }
 
-/// The place of the screen that a key shows while a value or a search is typed, which no letter
-/// does.
+fn list_in_front(own: &KeyTable<AppAct>) -> KeyList {
+    let mut list = own.list();
+    list.keys.extend(ALWAYS.list().keys);
+    list
+}
+
+/// The place of the screen that a key, but no letter, shows while a value or a search is typed.
 pub(crate) fn shown_while_typing(model: &AppModel, event: KeyEvent) -> Option<usize> {
-    let letter =
-        matches!(event.code, KeyCode::Char(_)) && !event.modifiers.contains(KeyModifiers::ALT);
+    let letter = event.code.as_char().is_some() && !event.modifiers.contains(KeyModifiers::ALT);
     let behind = letter || !matches!(model.overlay, None | Some(Overlay::Picker(_)));
-    let binding = SHOW.find(&model.keys, event).filter(|_| !behind)?;
-    Some(binding.act)
+    Some(SHOW.find(&model.keys, event).filter(|_| !behind)?.act)
 }
 
-/// The tables of every screen that count behind the pane with the focus: those of time, if it has
-/// them, and those that count everywhere.
+/// The tables that count behind the pane with the focus: of time, if it has it, and of all.
 pub(crate) fn shared(app: &App) -> Vec<&'static KeyTable<AppAct>> {
-    match app.focus().time {
-        TimeKeys::Absent => vec![&EVERYWHERE],
-        TimeKeys::Early | TimeKeys::Late => vec![&TIME, &EVERYWHERE],
-    }
+    let time = (app.focus().time != TimeKeys::Absent).then_some(&TIME);
+    time.into_iter().chain([&EVERYWHERE]).collect()
 }
 
 /// The lists in which a key is looked up now, the first that knows it wins.
 pub(crate) fn stack(app: &App) -> Vec<KeyList> {
-    if let Some(table) = in_front(&app.model) {
-        return vec![table.list()];
+    if let Some([own, _]) = in_front(&app.model) {
+        return vec![list_in_front(own)];
     }
     let mut stack = app.on_show().keys_now(&app.model);
     stack.extend(shared(app).into_iter().map(KeyTable::list));
@@ -297,7 +256,7 @@ fn of_screens() -> Vec<KeyList> {
 pub fn all() -> Vec<KeyList> {
     let mut lists = everywhere().to_vec();
     lists.extend(of_screens());
-    lists.extend(IN_FRONT.into_iter().map(KeyTable::list));
+    lists.extend(IN_FRONT.map(list_in_front));
     lists
 }
 
@@ -307,7 +266,7 @@ pub fn open_to_choice() -> impl Iterator<Item = &'static Key> {
     keys.filter(|key| !key.name.is_empty())
 }
 
-/// The first of the chosen keys that two things would share.
-pub fn clash(keys: &Keys) -> Option<Clash> {
+/// The first of the chosen keys that two things would share, as [`Keys::clash`] gives it.
+pub fn clash(keys: &Keys) -> Option<(&'static str, Press, String)> {
     keys.clash(&everywhere(), &of_screens())
 }

@@ -1,36 +1,55 @@
 //! What keys and answers do to the app, without a terminal and without threads.
 
-use crate::answer::solve::{Answer, solve};
-use crate::run::{kept::Keep, quantity::Quantity, refusal::Refusal, watch::unwatched};
+use crate::answer::solve::Answer;
+use crate::run::{quantity::Quantity, refusal::Refusal, watch::unwatched};
 use crate::scenario::library::find;
 use crate::scenario::{ForcePulse, Impact, fields};
-use crate::tui::app::driven::{asked, begun, key, letter, opened};
 use crate::tui::app::frame::{draw, tabs};
 use crate::tui::app::update::{Message, begin, update};
 use crate::tui::app::{App, tables};
 use crate::tui::form::{FormRow, Typing};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::picker::{Choice, Picker};
+use crate::tui::prepare;
 use crate::tui::request::{Report, TaskQuestion, Ticket};
 use crate::tui::screens::compare::comparison::{Comparison, CompleteMarked, SimulateMarked};
 use crate::tui::terminal::input::{Parser, TerminalInput as Typed};
-use crate::tui::{app::tables::footer_keys, changes::edit::change, outbox::Effect, prepare};
-use crate::tui::{save::SaveError, screens::SCREENS, screens::accuracy::measurement::Measurement};
-use crate::tui::{screens::map::state::Map, simulation::Simulate};
+use crate::tui::{app::tables::footer_keys, changes::edit::change, look::Look, outbox::Effect};
+use crate::tui::{save::SaveError, screens::SCREENS, screens::accuracy::Measurement};
+use crate::tui::{screens::map::Map, simulation::Simulate};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::time::Duration;
 
-mod chosen;
 mod doubt;
 mod first_estimate;
 mod keys;
 mod map;
 mod mouse;
-mod saved_session;
 mod take_away;
 mod threshold;
 mod typing;
+
+/// Opened, without its first simulation.
+fn opened() -> App {
+    prepare(&[], Look::default()).unwrap()
+}
+
+/// Opened, and its first simulation asked for.
+fn begun() -> App {
+    let mut app = opened();
+    begin(&mut app);
+    app
+}
+
+/// The first question of a type that the effects ask.
+fn asked<Q: TaskQuestion>(effects: &[Effect]) -> Option<(Ticket, &Q)> {
+    effects.iter().find_map(|effect| match effect {
+        Effect::Start(request) => Some((request.ticket, request.question()?)),
+        _ => None,
+    })
+}
 
 fn app() -> App {
     let mut app = begun();
@@ -52,8 +71,16 @@ fn done<Q: TaskQuestion>(
     update(app, Message::News(Report::done::<Q>(ticket, outcome)))
 }
 
-/// Tells what there is of the answer to a question.
-fn so_far<Q: TaskQuestion>(app: &mut App, ticket: Ticket, answer: Q::Answer) -> Vec<Effect> {
+/// Tells the answer to a question: the whole or what there is so far.
+fn tell<Q: TaskQuestion>(
+    app: &mut App,
+    ticket: Ticket,
+    answer: Q::Answer,
+    whole: bool,
+) -> Vec<Effect> {
+    if whole {
+        return done::<Q>(app, ticket, Ok(answer));
+    }
     update(app, Message::News(Report::so_far::<Q>(ticket, answer)))
 }
 
@@ -111,8 +138,7 @@ fn running(app: &App) -> Ticket {
 
 /// What comes of the scenario that is worked on.
 fn simulated(app: &App) -> Result<Answer, Refusal> {
-    let scenario = app.model.work.scenario.check().unwrap();
-    solve(&scenario, Keep::default(), &mut unwatched)
+    Simulate(app.model.work.scenario.clone()).answer(&mut unwatched)
 }
 
 fn answer(app: &mut App, ticket: Ticket) {
@@ -120,17 +146,39 @@ fn answer(app: &mut App, ticket: Ticket) {
     done::<Simulate>(app, ticket, answer);
 }
 
-#[test]
-fn every_edit_asks_for_its_own_simulation() {
+/// At the force of the first preset, whose answer is there.
+fn answered() -> App {
     let mut app = app();
+    answer(&mut app, 1);
+    app
+}
+
+fn answer_running(app: &mut App) {
+    answer(app, running(app));
+}
+
+/// The list in front of the screen.
+fn list(app: &App) -> Option<&Picker> {
+    match &app.model.overlay {
+        Some(Overlay::Picker(picker)) => Some(picker),
+        _ => None,
+    }
+}
+
+/// The names of what is marked for comparison.
+fn marked(app: &App) -> Vec<&str> {
+    app.state::<Comparison>().entries.iter().map(|entry| &entry.name[..]).collect()
+}
+
+#[test]
+fn every_edit_asks_for_its_own_simulation_and_escape_cancels_it() {
+    let mut app = app();
+    assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
     let effects = press(&mut app, "lll");
-    let tickets: Vec<Ticket> = effects
-        .iter()
-        .filter_map(|effect| Some(asked::<Simulate>(std::slice::from_ref(effect))?.0))
-        .collect();
-    assert_eq!(force(&app), 330.0);
-    assert!(tickets.is_sorted() && tickets.len() == 3);
-    assert_eq!(running(&app), tickets[2]);
+    let asked_once = |one: &[Effect]| asked::<Simulate>(one).map(|(ticket, _)| ticket);
+    let tickets: Vec<Ticket> = effects.chunks(1).filter_map(asked_once).collect();
+    assert_eq!((force(&app), tickets), (330.0, vec![2, 3, 4]));
+    assert_eq!(running(&app), 4);
 }
 
 #[test]
@@ -145,8 +193,7 @@ fn a_late_answer_changes_nothing() {
 
 #[test]
 fn a_refusal_keeps_the_last_good_result_and_says_why() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     press(&mut app, "l");
     let ticket = running(&app);
     done::<Simulate>(&mut app, ticket, Err(Refusal::Cancelled));
@@ -155,19 +202,16 @@ fn a_refusal_keeps_the_last_good_result_and_says_why() {
     assert_eq!(app.model.stale(), Some("last good result"));
     // The next edit that works clears it.
     press(&mut app, "u");
-    let ticket = running(&app);
-    answer(&mut app, ticket);
+    answer_running(&mut app);
     assert_eq!(app.model.stale(), None);
 }
 
 #[test]
 fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     press(&mut app, "ptennis\r");
     assert_eq!(app.model.work.name(), "tennis-ball");
-    let speed = row("impact.speed_m_s");
-    assert!(app.model.form.selected == speed, "its speed is next");
+    assert!(app.model.form.selected == row("impact.speed_m_s"), "its speed is next");
     let ticket = running(&app);
     let effects = press(&mut app, "\x1b");
     assert!(effects[0] == Effect::Stop(ticket) && asked::<Simulate>(&effects).is_none());
@@ -176,13 +220,6 @@ fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
     assert_eq!(shown.scenario, app.model.work.scenario);
     assert!(asked::<Simulate>(&press(&mut app, "u")).is_some());
     assert_eq!(app.model.work.name(), "tennis-ball");
-}
-
-#[test]
-fn escape_cancels_a_run_and_an_edit_supersedes_it() {
-    let mut app = app();
-    assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(1)]);
-    assert_eq!(asked::<Simulate>(&press(&mut app, "l")).unwrap().0, 2);
 }
 
 #[test]
@@ -212,22 +249,20 @@ fn a_step_that_bone_forbids_goes_as_far_as_it_may_and_leaves_the_result_current(
     let mut app = app();
     press(&mut app, "\tKKKKKKKKKK");
     let limit = pulse(&app).angle_deg;
-    let ticket = running(&app);
-    answer(&mut app, ticket);
+    answer_running(&mut app);
     press(&mut app, "k");
     assert_eq!((pulse(&app).angle_deg, limit), (40.0, 40.0));
     assert_eq!(notice(&app), "Angle: -40 to 40 deg");
     assert_eq!(app.model.stale(), None);
+    press(&mut app, "jJl");
+    assert_eq!((pulse(&app).angle_deg, pulse(&app).half_width_deg), (30.0, 21.0));
 }
 
 #[test]
 fn lists_of_presets_have_a_first_and_a_last() {
     let mut app = app();
     let last = app.model.choices.len() - 1;
-    let row = |app: &App| match &app.model.overlay {
-        Some(Overlay::Picker(picker)) => picker.row,
-        _ => usize::MAX,
-    };
+    let row = |app: &App| list(app).unwrap().row;
     press(&mut app, "p\x1b[F");
     assert_eq!(row(&app), last);
     press(&mut app, "\x1b[5~");
@@ -244,79 +279,43 @@ fn lists_of_presets_have_a_first_and_a_last() {
 #[test]
 fn a_speed_behind_a_name_in_the_list_goes_with_it_and_an_f_key_leaves_the_list() {
     let mut app = begun();
-    press(&mut app, "p");
-    press(&mut app, "squash@30\r");
+    press(&mut app, "psquash@30\r");
     assert_eq!(app.model.work.scenario.name, "Squash ball at 30 m/s");
-    press(&mut app, "p\x1b4/");
-    press(&mut app, "paintb@80\r");
-    press(&mut app, "cork@fast\r");
+    press(&mut app, "p\x1b4/paintb@80\rcork@fast\r");
     let said = notice(&app);
     assert!(said.contains("fast is not a number"), "{said}");
-    let entries = &app.state::<Comparison>().entries;
-    let names: Vec<&str> = entries.iter().map(|entry| &entry.name[..]).collect();
-    assert_eq!(names, ["paintball@80"]);
-    assert_eq!(entries[0].scenario.name, "Paintball at 80 m/s");
+    assert_eq!(marked(&app), ["paintball@80"]);
+    assert_eq!(app.state::<Comparison>().entries[0].scenario.name, "Paintball at 80 m/s");
 }
 
 #[test]
 fn more_scenarios_than_can_be_marked_are_counted() {
     let names = "paper-300n paper-100n paper-600n wide-area small-area bb-56 bb-62 bb-92";
     let names: Vec<String> = names.split(' ').map(str::to_owned).collect();
-    let look = app().model.look;
+    let look = Look::default();
     let app = prepare(&names, look).unwrap();
-    assert_eq!(app.state::<Comparison>().entries.len(), 6);
+    assert_eq!(marked(&app), names[..6]);
     assert!(notice(&app).contains("first 6 are marked for comparison, 2 are not"));
     assert!(prepare(&names[..6], look).unwrap().model.notice.is_none());
 }
 
 #[test]
-fn quitting_asks_only_when_work_would_be_lost() {
-    let mut app = app();
-    assert_eq!(press(&mut app, "q"), [Effect::Quit(0)]);
-    press(&mut app, "l");
-    assert_eq!(press(&mut app, "q"), []);
-    assert_eq!(press(&mut app, "n"), []);
-    assert_eq!(press(&mut app, "qy"), [Effect::Quit(0)]);
-    press(&mut app, "u");
-    assert_eq!(press(&mut app, "q"), [Effect::Quit(0)]);
-    press(&mut app, "l");
-    assert_eq!(press(&mut app, "\x03"), [Effect::Quit(130)]);
-}
-
-#[test]
-fn saving_asks_for_a_name_and_before_it_replaces() {
+fn saving_asks_for_a_name_and_before_it_hides_a_preset_and_counts_once_it_is_done() {
     let mut app = app();
     press(&mut app, "ls");
     assert_eq!(offered(&app), "paper-300n-2");
-    // That of the built-in one would hide it.
-    press(&mut app, "\x15paper-300n");
-    assert_eq!(press(&mut app, "\r"), []);
-    let replace = Prompt::Hide("paper-300n".to_owned());
-    assert!(matches!(&app.model.overlay, Some(Overlay::Prompt(q)) if *q == replace));
-    press(&mut app, "n");
-    press(&mut app, "\x15a/b\r");
-    let overlay = &app.model.overlay;
-    assert!(matches!(overlay, Some(Overlay::Name(_, _, Some(_)))));
-    let effects = press(&mut app, "\x15mine\r");
+    assert_eq!(press(&mut app, "\x15paper-300n\r"), []);
+    let hide = Prompt::Hide("paper-300n".to_owned());
+    assert!(matches!(&app.model.overlay, Some(Overlay::Prompt(q)) if *q == hide));
+    let effects = press(&mut app, "n\x15mine\r");
     let [Effect::Save(name, text, false)] = &effects[..] else { panic!("{effects:?}") };
     assert!(name == "mine" && text.contains("name: \"mine\""));
-    // Nothing counts as saved before it is.
-    assert!(app.model.is_edited());
-    let full = SaveError::Failed("no space".to_owned());
-    update(&mut app, Message::Saved("mine".to_owned(), Err(full)));
-    assert!(app.model.is_edited());
-    update(&mut app, Message::Saved("mine".to_owned(), Ok(())));
+    for outcome in [Err(SaveError::Failed("no space".to_owned())), Ok(())] {
+        assert!(app.model.is_edited());
+        update(&mut app, Message::Saved("mine".to_owned(), outcome));
+    }
     assert!(!app.model.is_edited() && app.model.overlay.is_none());
     assert_eq!(app.model.work.source, "mine");
-}
-
-#[test]
-fn the_dial_and_the_form_turn_the_same_angle() {
-    let mut app = app();
-    press(&mut app, "\tkkK");
-    assert_eq!(pulse(&app).angle_deg, 10.0);
-    press(&mut app, "l");
-    assert_eq!(pulse(&app).half_width_deg, 21.0);
 }
 
 #[test]
@@ -335,19 +334,12 @@ fn marks_are_simulated_one_after_another() {
 }
 
 #[test]
-fn unmarking_stops_a_simulation_nobody_waits_for() {
+fn unmarking_stops_a_simulation_nobody_waits_for_and_the_form_follows_into_the_comparison() {
     let mut app = app();
     press(&mut app, "\x1b4j ");
-    let effects = press(&mut app, " ");
-    assert!(matches!(effects[..], [Effect::Stop(_)]));
+    assert!(matches!(press(&mut app, " ")[..], [Effect::Stop(_)]));
     assert!(app.state::<Comparison>().task.job.is_none());
-}
-
-#[test]
-fn the_form_follows_into_the_comparison() {
-    let mut app = app();
-    press(&mut app, "\x1b4 ");
-    press(&mut app, "1l");
+    press(&mut app, "k 1l");
     let effects = press(&mut app, "\x1b4");
     let (_, marked) = asked::<SimulateMarked>(&effects).unwrap();
     assert_eq!(marked.scenario, app.model.work.scenario);
@@ -355,8 +347,7 @@ fn the_form_follows_into_the_comparison() {
 
 #[test]
 fn time_passes_only_while_the_replay_plays() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     let second = |n| Message::Tick(Duration::from_secs(n));
     update(&mut app, second(1));
     let still = app.time();
@@ -373,7 +364,7 @@ fn what_is_undone_after_saving_counts_as_edited() {
     let mut app = app();
     press(&mut app, "l");
     let name = app.model.work.source.clone();
-    update(&mut app, Message::Saved(name, Ok(())));
+    update(&mut app, Message::Saved(name.clone(), Ok(())));
     assert!(!app.model.is_edited());
     press(&mut app, "u");
     assert_eq!(force(&app), 300.0);
@@ -382,7 +373,6 @@ fn what_is_undone_after_saving_counts_as_edited() {
     assert!(!app.model.is_edited() && force(&app) == 310.0);
     // A step after saving is a change of its own, however soon it comes.
     press(&mut app, "l");
-    let name = app.model.work.source.clone();
     update(&mut app, Message::Saved(name, Ok(())));
     press(&mut app, "lu");
     assert_eq!(force(&app), 320.0);
@@ -430,24 +420,16 @@ fn letters_search_the_list_of_presets_and_do_nothing_behind_it() {
     let mut app = app();
     press(&mut app, "p");
     let before = app.model.work.clone();
-    for typed in "qjk squash, wyr?1".chars() {
-        assert!(press(&mut app, &typed.to_string()).is_empty(), "{typed}");
-        let in_front = matches!(app.model.overlay, Some(Overlay::Picker(_)));
-        assert!(in_front && app.model.form.typing.is_none(), "{typed}");
-    }
     // Where nothing is found, Enter opens nothing.
-    press(&mut app, "\r");
-    assert!(matches!(app.model.overlay, Some(Overlay::Picker(_))));
+    for typed in "qjk squash, wyr?1\r".chars() {
+        assert!(press(&mut app, &typed.to_string()).is_empty(), "{typed}");
+        assert!(list(&app).is_some() && app.model.form.typing.is_none(), "{typed}");
+    }
     assert!(app.model.work == before && app.screen == 0);
     press(&mut app, "\x1b");
     assert!(app.model.overlay.is_none());
-}
-
-#[test]
-fn what_is_searched_for_is_opened_and_what_was_changed_is_kept() {
-    let mut app = app();
-    press(&mut app, "l");
-    press(&mut app, "psqua ball\r");
+    // What is found is opened, and what was changed is kept.
+    press(&mut app, "lpsqua ball\r");
     assert_eq!(app.model.work.source, "squash-ball");
     assert!(notice(&app).contains("u brings back"));
     press(&mut app, "u");
@@ -455,7 +437,7 @@ fn what_is_searched_for_is_opened_and_what_was_changed_is_kept() {
 }
 
 #[test]
-fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
+fn only_a_preset_of_ones_own_is_renamed_and_removed_and_an_undo_brings_it_back() {
     let mut app = app();
     let (rename, delete) = ("\x1bOQ", "\x1b[3~");
     for key in [rename, delete] {
@@ -464,58 +446,44 @@ fn a_preset_of_ones_own_is_renamed_and_removed_after_a_question_and_no_other() {
         assert!(notice(&app).contains("stays as it is"));
         press(&mut app, "\x1b");
     }
-    press(&mut app, "ls\x15my blow\r");
-    let name = "my blow".to_owned();
+    press(&mut app, "l");
+    let [name, hers] = ["my blow", "hers"].map(str::to_owned);
     update(&mut app, Message::Saved(name.clone(), Ok(())));
-    let mut own = app.model.choices[0].clone();
-    own.name.clone_from(&name);
-    own.scenario = Ok(app.model.work.scenario.clone());
-    own.origin = "own";
-    app.model.choices.push(own);
-    press(&mut app, "p");
-    press(&mut app, rename);
+    let scenario = Ok(app.model.work.scenario.clone());
+    app.model.choices.push(Choice { name: name.clone(), scenario, origin: "own" });
+    press(&mut app, &format!("p{rename}"));
     assert_eq!(press(&mut app, "\x15bb-56\r"), [], "that name is taken");
     let effects = press(&mut app, "\x15hers\r");
-    let hers = "hers".to_owned();
     assert_eq!(effects, [Effect::Rename(name.clone(), hers.clone())]);
     update(&mut app, Message::Renamed(name, hers.clone(), Ok(())));
-    let work = &app.model.work;
-    assert_eq!((&work.source, &work.scenario.name), (&hers, &hers));
     assert!(!app.model.is_edited());
     // No leaves it, and leads back to the list.
     assert_eq!(press(&mut app, &format!("{delete}n")), []);
     let effects = press(&mut app, &format!("{delete}y"));
     assert_eq!(effects, [Effect::Remove(hers.clone())]);
-    let removed = Message::Removed(hers.clone(), Ok("its text".to_owned()));
-    update(&mut app, removed);
+    update(&mut app, Message::Removed(hers.clone(), Ok("its text".to_owned())));
     assert!(app.model.choices.iter().all(|choice| choice.name != hers));
     // What it held is still worked on under its name, and is not lost without a question.
-    assert!(app.model.is_edited() && force(&app) == 310.0);
-    assert_eq!(app.model.work.name(), "hers");
+    assert!(app.model.is_edited() && app.model.work.name() == hers);
     press(&mut app, "\x1b");
-    let back = Effect::Restore(hers.clone(), "its text".to_owned());
-    assert_eq!(press(&mut app, "u"), [back]);
+    assert_eq!(press(&mut app, "u"), [Effect::Restore(hers.clone(), "its text".to_owned())]);
     assert_eq!(force(&app), 310.0, "the removal came last");
     press(&mut app, "s");
     assert_eq!(offered(&app), "hers");
     press(&mut app, "\x1b");
     press(&mut app, "q");
-    assert!(matches!(app.model.overlay, Some(Overlay::Prompt(Prompt::Quit { .. }))));
+    assert!(matches!(app.model.overlay, Some(Overlay::Prompt(Prompt::Quit(_)))));
 }
 
 #[test]
 fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
     let mut app = begun();
     press(&mut app, "\x1b4/bb-62\r\x1b");
-    let names = |app: &App| -> Vec<String> {
-        let entries = &app.state::<Comparison>().entries;
-        entries.iter().map(|entry| entry.name.clone()).collect()
-    };
-    assert_eq!(names(&app), ["bb-62"]);
+    assert_eq!(marked(&app), ["bb-62"]);
     press(&mut app, "e-60\r");
     assert!(app.model.overlay.is_some(), "no speed is below 0");
     press(&mut app, "\x1560\r");
-    assert_eq!(names(&app), ["bb-62@60"]);
+    assert_eq!(marked(&app), ["bb-62@60"]);
     assert_eq!(force(&app), 300.0);
     let effects = press(&mut app, "e50\r");
     let (_, asked) = asked::<SimulateMarked>(&effects).unwrap();
@@ -523,23 +491,21 @@ fn a_speed_is_changed_where_it_is_compared_and_the_form_stays() {
     assert_eq!(bb.speed_m_s, 50.0);
     // In the table another field of the same row; there and back is the preset again.
     press(&mut app, "\te\x1b[A\x1b[A0.5\r");
-    assert_eq!(names(&app), ["bb-62@50,mass_g=0.5"]);
+    assert_eq!(marked(&app), ["bb-62@50,mass_g=0.5"]);
     press(&mut app, "\x1b[Z ");
-    assert!(names(&app).is_empty(), "marking again unmarks");
+    assert!(marked(&app).is_empty(), "marking again unmarks");
 }
 
 #[test]
 fn nothing_runs_that_the_screen_on_show_has_no_room_for() {
-    let busy = |app: &App| {
-        [
+    let busy = |app: &App| -> Vec<&str> {
+        let tasks = [
             ("Compare", app.state::<Comparison>().task.job.is_some()),
             ("Accuracy", app.state::<Measurement>().task.job.is_some()),
             ("Map", app.state::<Map>().task.job.is_some()),
             ("Doubt", app.model.ensemble.task.job.is_some()),
-        ]
-        .into_iter()
-        .filter_map(|(title, busy)| busy.then_some(title))
-        .collect::<Vec<_>>()
+        ];
+        tasks.into_iter().filter_map(|(title, busy)| busy.then_some(title)).collect()
     };
     let mut app = begun();
     press(&mut app, "\x1b4 ");

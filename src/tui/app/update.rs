@@ -1,17 +1,17 @@
-//! What every message does to the app, and what it asks of the world outside.
-//!
-//! It reads no clock and touches no file: time comes with messages, and what must be done goes out
-//! as an [`Effect`].
+//! What every message does to the app. It reads no clock and touches no file: time comes with
+//! messages, and what must be done goes out as an [`Effect`].
 
 use std::time::Duration;
 
-use crossterm::event::{KeyCode, KeyEvent, MouseEvent};
+use crossterm::event::{KeyEvent, MouseEvent};
 
 use crate::plain_text::quoted;
-use crate::tui::app::{App, help, mouse, tables};
+use crate::tui::app::tables::{self, shown_while_typing};
+use crate::tui::app::{App, help, mouse};
 use crate::tui::changes::{presets, samples, simulation, take_away, threshold, typing};
-use crate::tui::{choices::Choice, keys::begins_value, outbox::Effect, overlay::Overlay};
-use crate::tui::{request::Report, save::SaveError, screens::SCREENS, screens::screen::KeyOutcome};
+use crate::tui::screens::screen::KeyOutcome;
+use crate::tui::{keys::begins_value, outbox::Effect, overlay::Overlay, picker::Choice};
+use crate::tui::{request::Report, save::SaveError, screens::SCREENS, screens::screen::About};
 
 /// Something that happened.
 pub enum Message {
@@ -90,14 +90,14 @@ fn tick(app: &mut App, now: Duration) {
     }
 }
 
-/// Looks a key up: in what stands in front, or in the screen, in time and everywhere. What nobody
-/// has is typed where something is typed, else it is said.
+/// Looks a key up in what stands in front, else in the screen. What nobody has may be typed.
 fn key(app: &mut App, event: KeyEvent) {
     app.model.notice = None;
-    if let Some(table) = tables::in_front(&app.model) {
-        match table.find(&app.model.keys, event) {
+    if let Some(tables) = tables::in_front(&app.model) {
+        let keys = &app.model.keys;
+        match tables.iter().find_map(|table| table.find(keys, event)) {
             Some(binding) => run(app, binding.act),
-            None => match tables::shown_while_typing(&app.model, event) {
+            None => match shown_while_typing(&app.model, event) {
                 Some(place) if typing::accept(&mut app.model) => {
                     app.model.overlay = None;
                     app.show(place);
@@ -109,27 +109,27 @@ fn key(app: &mut App, event: KeyEvent) {
         return;
     }
     match app.screens[app.screen].press(&mut app.model, event) {
-        KeyOutcome::Done => return,
+        KeyOutcome::Done => {}
         KeyOutcome::BeginsValue if app.model.form.takes_numbers() => {
             typing::begin(&mut app.model, true);
             typing::key(&mut app.model, event);
-            return;
         }
-        KeyOutcome::BeginsValue => {
-            app.model.notice = Some(elsewhere(event));
-            return;
-        }
-        KeyOutcome::Unknown => {}
+        KeyOutcome::BeginsValue => app.model.notice = Some(elsewhere(event)),
+        KeyOutcome::Unknown => key_of_all(app, event),
     }
+}
+
+/// Looks a key up among those that count on every screen.
+fn key_of_all(app: &mut App, event: KeyEvent) {
     let keys = &app.model.keys;
     let mut shared = tables::shared(app).into_iter();
     if let Some(binding) = shared.find_map(|table| table.find(keys, event)) {
         run(app, binding.act);
     } else if let Some(binding) = tables::SHOW.find(keys, event) {
         app.show(binding.act);
-    } else if let KeyCode::Char(sign) = event.code {
-        app.model.notice =
-            Some(format!("{} does nothing here: ? lists the keys", quoted(&sign.to_string())));
+    } else if let Some(sign) = event.code.as_char() {
+        let sign = quoted(&sign.to_string());
+        app.model.notice = Some(format!("{sign} does nothing here: ? lists the keys"));
     }
 }
 
@@ -140,13 +140,8 @@ fn run(app: &mut App, act: tables::AppAct) {
 
 /// What to press for the screen of a digit where digits are values.
 fn elsewhere(event: KeyEvent) -> String {
-    let number = match event.code {
-        KeyCode::Char(digit) => digit.to_digit(10).unwrap_or(0),
-        _ => 0,
-    };
-    let place = number.checked_sub(1);
-    let screen = place.and_then(|at| SCREENS.get(at as usize));
-    screen.map_or("no number is typed here".to_owned(), |screen| {
-        format!("no number is typed here: F{number} or Alt-{number} shows {}", screen.title)
-    })
+    let digit = event.code.as_char().and_then(|c| c.to_digit(10)).unwrap_or(0);
+    let screen = SCREENS.get((digit as usize).wrapping_sub(1));
+    let shows = |screen: &About| format!(": F{digit} or Alt-{digit} shows {}", screen.title);
+    format!("no number is typed here{}", screen.map_or_else(String::new, shows))
 }

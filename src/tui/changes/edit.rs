@@ -4,8 +4,7 @@ use crate::scenario::Scenario;
 use crate::tui::{changes::simulation, form::words, model::AppModel, outbox::Effect};
 use crate::tui::{simulation::is_alike, work::Work};
 
-/// Takes another scenario and simulates it at once. `what` names the field that changes, empty if
-/// the change stands for itself.
+/// Takes another scenario and simulates it. `what` changes, empty if it stands for itself.
 pub(crate) fn change(model: &mut AppModel, work: Work, what: &'static str) {
     if work == model.work {
         return;
@@ -37,9 +36,7 @@ pub(crate) fn travel(model: &mut AppModel, back: bool) {
         model.out.effects.push(Effect::Restore(name, text));
         return;
     }
-    let present = model.work.clone();
-    let other = if back { model.history.undo(present) } else { model.history.redo(present) };
-    if let Ok(work) = other {
+    if let Some(work) = model.history.travel(back, model.work.clone()) {
         set_work(model, work);
     } else {
         let what = if back { "undo" } else { "redo" };

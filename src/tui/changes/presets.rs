@@ -1,24 +1,17 @@
 //! Opening a preset, and saving, renaming and removing one of the person's own.
 
 use crate::scenario::load::to_ron;
-use crate::tui::choices::{Choice, MAX_OWN};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::picker::{Choice, MAX_OWN, Picker};
 use crate::tui::save::{SaveError, check_name, free_name};
+use crate::tui::work::Work;
 use crate::tui::{changes::edit::change, line::TextLine, model::AppModel, outbox::Effect};
-use crate::tui::{picker::Picker, work::Work};
 
 pub(crate) fn next_preset(model: &mut AppModel, forward: bool) {
     let count = model.choices.len();
-    if count == 0 {
-        return;
-    }
     let here = model.choices.iter().position(|choice| choice.name == model.work.source);
-    let next = match here {
-        Some(here) if forward => (here + 1) % count,
-        Some(here) => (here + count - 1) % count,
-        None => 0,
-    };
-    open(model, next);
+    let next = |here: usize| (here + if forward { 1 } else { count - 1 }) % count;
+    open(model, here.map_or(0, next));
 }
 
 pub(crate) fn open(model: &mut AppModel, index: usize) {
@@ -80,29 +73,25 @@ pub(crate) fn ask_to_remove(model: &mut AppModel) {
 
 pub(crate) fn ask_to_rename(model: &mut AppModel) {
     if let Some(name) = own_chosen(model) {
-        let input = TextLine::of(name.clone());
-        model.overlay = Some(Overlay::Name(Naming::Rename(name), input, None));
+        ask_name(model, Naming::Rename(name.clone()), name, None);
     }
 }
 
+/// Asks for a name: with one that is offered, and what is wrong with it.
+pub(crate) fn ask_name(model: &mut AppModel, naming: Naming, name: String, error: Option<String>) {
+    model.overlay = Some(Overlay::Name(naming, TextLine::of(name), error));
+}
+
 pub(crate) fn rename(model: &mut AppModel, from: String, to: String) {
-    let error = match check_name(&to) {
-        Err(error) => Some(error.to_string()),
-        Ok(()) if to == from => {
-            open_picker_at(model, &from);
-            return;
-        }
-        Ok(()) if model.choices.iter().any(|choice| choice.name == to) => {
-            Some(format!("there is a preset {to} already"))
-        }
-        Ok(()) => None,
-    };
-    match error {
-        Some(_) => {
-            let input = TextLine::of(to);
-            model.overlay = Some(Overlay::Name(Naming::Rename(from), input, error));
-        }
+    if to == from {
+        open_picker_at(model, &from);
+        return;
+    }
+    let is_there = model.choices.iter().any(|choice| choice.name == to);
+    let taken = is_there.then(|| format!("there is a preset {to} already"));
+    match check_name(&to).err().map(|error| error.to_string()).or(taken) {
         None => model.out.effects.push(Effect::Rename(from, to)),
+        error => ask_name(model, Naming::Rename(from), to, error),
     }
 }
 
@@ -113,9 +102,7 @@ pub(crate) fn renamed(
     outcome: Result<(), SaveError>,
 ) {
     if let Err(error) = outcome {
-        let naming = Naming::Rename(from.to_owned());
-        model.overlay = Some(Overlay::Name(naming, TextLine::of(to), Some(error.to_string())));
-        return;
+        return ask_name(model, Naming::Rename(from.to_owned()), to, Some(error.to_string()));
     }
     let follow = |work: &mut Work| {
         if work.source == from {
@@ -158,8 +145,7 @@ pub(crate) fn removed(model: &mut AppModel, name: String, outcome: Result<String
         }
         Err(error) => model.notice = Some(error.to_string()),
     }
-    let here = model.work.source.clone();
-    open_picker_at(model, &here);
+    open_picker(model);
 }
 
 pub(crate) fn ask_for_name(model: &mut AppModel) {
@@ -172,7 +158,7 @@ pub(crate) fn ask_for_name(model: &mut AppModel) {
     let others = model.choices.iter().filter(|choice| is_other(choice));
     let stem = model.work.name().trim_end_matches(".ron");
     let name = free_name(stem, |name| others.clone().any(|c| c.name == name));
-    model.overlay = Some(Overlay::Name(Naming::Save, TextLine::of(name), None));
+    ask_name(model, Naming::Save, name, None);
 }
 
 pub(crate) fn save(model: &mut AppModel, name: String, replace: bool) {
@@ -182,20 +168,16 @@ pub(crate) fn save(model: &mut AppModel, name: String, replace: bool) {
         }
         return;
     }
-    let other = model.choices.iter().find(|choice| choice.name == name);
-    if let Some(other) = other.filter(|_| !replace) {
-        let question = match other.origin {
-            "" => Prompt::Hide(name),
-            _ => Prompt::Replace(name),
-        };
-        model.overlay = Some(Overlay::Prompt(question));
-        return;
-    }
-    let own = model.choices.iter().filter(|choice| choice.origin == "own");
-    if !replace && own.count() >= MAX_OWN {
-        let full = format!("{MAX_OWN} presets of your own are there: remove one first");
-        model.overlay = Some(Overlay::Name(Naming::Save, TextLine::of(name), Some(full)));
-        return;
+    if !replace {
+        if let Some(other) = model.choices.iter().find(|choice| choice.name == name) {
+            let question = if other.origin.is_empty() { Prompt::Hide } else { Prompt::Replace };
+            model.overlay = Some(Overlay::Prompt(question(name)));
+            return;
+        }
+        if model.choices.iter().filter(|choice| choice.origin == "own").count() >= MAX_OWN {
+            let full = format!("{MAX_OWN} presets of your own are there: remove one first");
+            return ask_name(model, Naming::Save, name, Some(full));
+        }
     }
     let mut scenario = model.work.scenario.clone();
     if model.work.is_outgrown() {
@@ -227,9 +209,6 @@ pub(crate) fn saved(model: &mut AppModel, name: String, outcome: Result<(), Save
         Err(SaveError::Exists(name)) => {
             model.overlay = Some(Overlay::Prompt(Prompt::Replace(name)));
         }
-        Err(error) => {
-            let input = TextLine::of(name);
-            model.overlay = Some(Overlay::Name(Naming::Save, input, Some(error.to_string())));
-        }
+        Err(error) => ask_name(model, Naming::Save, name, Some(error.to_string())),
     }
 }

@@ -6,8 +6,7 @@ use crate::tui::ensemble::{FEW, MANY, RunSamples, key};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::{changes::simulation, guest::MOST_SAMPLES, model::AppModel, request::Report};
 
-/// Whether nothing else is wanted for what is on show, and it has no risks: their ranges hold what
-/// is not known of the inputs.
+/// Whether nothing else is wanted, and there are no risks, whose ranges hold what samples tell.
 fn is_settled(model: &AppModel, screens_busy: bool) -> bool {
     let answered = |shown: &ShownAnswer| {
         shown.scenario == model.work.scenario && shown.answer.silence().is_some()
@@ -16,9 +15,8 @@ fn is_settled(model: &AppModel, screens_busy: bool) -> bool {
     !computes && model.shown.as_ref().is_some_and(answered)
 }
 
-/// Runs the samples that the screen on show has `room` for, and no others: many where they are
-/// what it is about, else a few once nothing else is wanted. What a person stopped goes on by a
-/// key alone.
+/// Runs the samples that the screen on show has `room` for: many where they are what it is about,
+/// else a few once nothing else is wanted. What a person stopped goes on by a key alone.
 pub(crate) fn refresh_requests(model: &mut AppModel, room: u32, screens_busy: bool) {
     let most = if model.guest { MOST_SAMPLES } else { MANY };
     let idle = room <= FEW;

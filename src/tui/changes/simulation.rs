@@ -1,5 +1,4 @@
-//! The answer to the form, and what completes it: what is asked for, and what is done with what
-//! comes.
+//! The answer to the form and what completes it: what is asked, and what is done with what comes.
 
 use std::sync::Arc;
 
@@ -21,8 +20,7 @@ pub(crate) fn follow(model: &mut AppModel) {
     }
 }
 
-/// Gives up what the form asks for: the form goes back to what the answer on show is of. Without
-/// one the worker says that it was cancelled.
+/// Takes the form back to what the answer on show is of; without one only ends the run.
 pub(crate) fn cancel(model: &mut AppModel) {
     let Some(answered) = model.answered.clone() else {
         model.run.end(&mut model.out);
@@ -55,7 +53,13 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
                 model.shown = Some(ShownAnswer::new(asked.0.clone(), answer));
                 follow(model);
             }
-            None => explain_cancelling(model),
+            None => {
+                // A run that was cancelled begins by no key, but by the next edit.
+                let complaint = model.run.complaint.as_mut().map(|(_, why)| why);
+                if let Some(why) = complaint.filter(|why| **why == Refusal::Cancelled.to_string()) {
+                    why.push_str(": the next edit simulates again");
+                }
+            }
         }
     }
     if let Some((_, Some(part))) = model.rest.take_report(report)
@@ -75,8 +79,7 @@ pub(crate) fn incomplete(model: &AppModel) -> Option<&ShownAnswer> {
     (shown.answer.inputs.is_none() && !refused(shown)).then_some(shown)
 }
 
-/// Completes the answer on show while nothing is computed that somebody asked for; stops where it
-/// is of another answer or not wanted any more.
+/// Completes the answer on show, and no other, while nothing is computed that somebody asked for.
 pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
     let free = model.idle && !model.is_busy() && !screens_busy;
     let wanted = incomplete(model).filter(|_| free);
@@ -92,14 +95,5 @@ pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
     model.rest.stop(None, &mut model.out);
     if let Some(question) = question {
         model.rest.ask(question, &mut model.out);
-    }
-}
-
-/// A run that was cancelled begins by no key, but by the next edit.
-fn explain_cancelling(model: &mut AppModel) {
-    if let Some((_, why)) = &mut model.run.complaint
-        && *why == Refusal::Cancelled.to_string()
-    {
-        why.push_str(": the next edit simulates again");
     }
 }

@@ -1,7 +1,7 @@
 //! What is taken out of the app: a page as a file, and a summary on the clipboard.
 
 use crate::report::command::{arguments, line};
-use crate::report::summary;
+use crate::report::first_page::in_three_lines;
 use crate::tui::overlay::{MEGABYTE, Overlay, Prompt};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::{model::AppModel, outbox::Effect, page::WritePage, request::Report};
@@ -35,9 +35,6 @@ fn repeating(model: &AppModel, answers: &[Named]) -> Option<Vec<String>> {
 }
 
 /// The question for a page of what is on show, into the folder that the app was opened in.
-///
-/// # Errors
-/// Says why there is none.
 pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'static str> {
     if model.guest {
         return Err("a guest writes no files");
@@ -49,11 +46,9 @@ pub(crate) fn page(model: &AppModel, answers: &[Named]) -> Result<WritePage, &'s
         words.extend(["-o".to_owned(), format!("{stem}.html")]);
         line("report", &words)
     });
-    let blows = answers
-        .iter()
-        .map(|(source, shown)| (source.clone(), shown.scenario.clone(), shown.answer.clone()))
-        .collect();
-    Ok(WritePage { stem, blows, command })
+    let blow =
+        |(source, shown): &Named| (source.clone(), shown.scenario.clone(), shown.answer.clone());
+    Ok(WritePage { stem, blows: answers.iter().map(blow).collect(), command })
 }
 
 /// Has a page that is done put on the disk.
@@ -74,15 +69,12 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
 }
 
 /// A summary of what is on show, and the command that repeats it.
-///
-/// # Errors
-/// Says why there is none.
 pub(crate) fn summary(model: &AppModel, answers: &[Named]) -> Result<String, &'static str> {
     check(model, answers)?;
     let one = |answer: &Named| {
         let command = repeating(model, std::slice::from_ref(answer));
         let command = command.map(|words| line("run", &words));
-        summary::text(&answer.1.scenario, &answer.1.answer, command.as_deref())
+        in_three_lines(&answer.1.scenario, &answer.1.answer, command.as_deref())
     };
     Ok(answers.iter().map(one).collect::<Vec<_>>().join("\n"))
 }

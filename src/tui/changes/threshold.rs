@@ -1,88 +1,47 @@
-//! Asking at which value of a number a result reaches what is typed, and taking the answer into
-//! the form.
+//! Asking at which value a result reaches what is typed, and taking the answer into the form.
 
 use crate::many::threshold::ThresholdSearch;
 use crate::scenario::doubt::number;
-use crate::tui::form::{FormRow, with_text};
-use crate::tui::request::Report;
 use crate::tui::threshold::{Asking, FindThreshold};
-use crate::tui::{changes::edit::change, line::TextLine, model::AppModel, overlay::Overlay};
+use crate::tui::{changes::edit::change, form::with_text, model::AppModel};
+use crate::tui::{overlay::Overlay, request::Report};
 
 /// Asks about the number with the cursor: rupture of the globe first, where there are risks.
 pub(crate) fn ask(model: &mut AppModel) {
-    let asked = match model.form.selected {
-        FormRow::Field(field) => number(field, &model.work.scenario).map(|_| field),
-        _ => None,
+    let is_number = |field: &&_| number(field, &model.work.scenario).is_some();
+    let Some(field) = model.form.selected.field().filter(is_number) else {
+        model.notice = Some("choose a row with a number first".to_owned());
+        return;
     };
-    let asking = match (asked, &model.shown) {
-        (Some(field), Some(shown)) => Asking::of(field, shown),
-        (None, _) => {
-            model.notice = Some("choose a row with a number first".to_owned());
-            return;
-        }
-        _ => None,
-    };
-    match asking {
+    match model.shown.as_ref().and_then(|shown| Asking::of(field, shown)) {
         Some(asking) => model.overlay = Some(Overlay::Threshold(Box::new(asking))),
         None => model.notice = Some("there is no answer yet".to_owned()),
     }
 }
 
-/// What is asked now, where nothing is looked for.
-fn open_question(model: &mut AppModel) -> Option<&mut Asking> {
-    match &mut model.overlay {
-        Some(Overlay::Threshold(asking)) if asking.task.job.is_none() => Some(asking),
-        _ => None,
-    }
-}
-
-/// Asks for the next result of the answer on show, or for the one before.
-pub(crate) fn next_result(model: &mut AppModel, forward: bool) {
-    let Some(asking) = open_question(model) else {
-        return;
-    };
-    let count = asking.results.len();
-    let here = asking.results.iter().position(|(q, _)| *q == asking.quantity);
-    let by = if forward { 1 } else { count - 1 };
-    let next = asking.results[(here.unwrap_or(0) + by) % count].0;
-    asking.choose(next);
-}
-
-/// Goes to the next crossing.
-pub(crate) fn next_crossing(model: &mut AppModel) {
-    let Some(asking) = open_question(model) else {
-        return;
-    };
-    let count = asking.found.as_ref().map_or(0, |(_, found)| found.crossings.len());
-    asking.row = (asking.row + 1) % count.max(1);
-}
-
-/// Changes the value that is asked for.
-pub(crate) fn retype(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {
-    let Some(asking) = open_question(model) else {
-        return;
-    };
-    let before = asking.input.value().to_owned();
-    change(&mut asking.input);
-    if asking.input.value() != before {
-        asking.forget();
+/// Changes what is asked now, where nothing is looked for.
+pub(crate) fn ask_otherwise(model: &mut AppModel, change: impl FnOnce(&mut Asking)) {
+    if let Some(Overlay::Threshold(asking)) = &mut model.overlay
+        && asking.task.job.is_none()
+    {
+        change(asking);
     }
 }
 
 /// Looks for the crossings, or takes the one that was found into the form.
 pub(crate) fn accept(model: &mut AppModel) {
     let scenario = model.work.scenario.clone();
-    let Some(asking) = open_question(model) else {
+    let Some(Overlay::Threshold(asking)) = &mut model.overlay else {
         return;
     };
+    if asking.task.job.is_some() {
+        return;
+    }
     let field = asking.field;
     if let Some(text) = asking.taken() {
         model.overlay = None;
         match with_text(&scenario, field, &text) {
-            Ok(scenario) => {
-                let work = model.work.with(scenario);
-                change(model, work, "");
-            }
+            Ok(scenario) => change(model, model.work.with(scenario), ""),
             Err(why) => model.form.complaint = Some(why),
         }
         return;
@@ -95,10 +54,7 @@ pub(crate) fn accept(model: &mut AppModel) {
     match ThresholdSearch::read(scenario, field.path, (asking.quantity, target)) {
         Ok(question) => {
             asking.forget();
-            let question = FindThreshold(question);
-            if let Some(Overlay::Threshold(asking)) = &mut model.overlay {
-                asking.task.ask(question, &mut model.out);
-            }
+            asking.task.ask(FindThreshold(question), &mut model.out);
         }
         Err(error) => asking.error = Some(error.to_string()),
     }

@@ -1,16 +1,17 @@
 //! What is typed or pasted into a field of the form or into a name.
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::scenario::fields::{Field, Kind};
 use crate::scenario::{Scenario, doubt::begun};
-use crate::tui::form::{FormRow, Typing, admitted, typed_text, with_text};
-use crate::tui::{changes::edit::change, changes::threshold, line::TextLine, model::AppModel};
+use crate::tui::form::{Typing, admitted, typed_text, with_text};
+use crate::tui::line::{TextLine, letter};
+use crate::tui::{changes::edit::change, changes::threshold, model::AppModel};
 use crate::tui::{overlay::Overlay, save::check_name};
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
 pub(crate) fn begin(model: &mut AppModel, empty: bool) {
-    let FormRow::Field(field) = model.form.selected else {
+    let Some(field) = model.form.selected.field() else {
         return;
     };
     model.form.complaint = None;
@@ -23,33 +24,23 @@ pub(crate) fn begin(model: &mut AppModel, empty: bool) {
     });
 }
 
-/// A key that is no binding. A letter that can be no part of a number is refused, as whoever
-/// presses it takes it for a key.
+/// A key that is no binding. A letter that can be no part of a number is refused: it was meant as
+/// a key.
 pub(crate) fn key(model: &mut AppModel, event: KeyEvent) {
-    let held = KeyModifiers::CONTROL | KeyModifiers::ALT;
-    let field = match (&model.overlay, &model.form.typing) {
-        (None, Some(typing)) => Some(typing.field),
-        _ => None,
-    };
-    let typed = match (event.code, field) {
-        (KeyCode::Char(c), Some(field)) if !event.modifiers.intersects(held) => {
-            let Some(c) = admitted(field, c) else {
-                model.notice =
-                    Some("A number is being typed: Enter accepts, Esc cancels".to_owned());
-                return;
-            };
-            // A doubt goes behind the number that is there.
-            let doubt = matches!(field.kind, Kind::Number(..)) && matches!(c, ' ' | '+' | '±');
-            Some((c, doubt))
-        }
-        _ => None,
-    };
-    type_into(model, |line| match typed {
-        Some((c, doubt)) => {
-            line.selected &= !doubt;
-            line.put(c);
-        }
-        None => line.key(event),
+    let (mut event, mut doubt) = (event, false);
+    let typing = model.form.typing.as_ref().filter(|_| model.overlay.is_none());
+    if let (Some(typing), Some(c)) = (typing, letter(event)) {
+        let Some(c) = admitted(typing.field, c) else {
+            model.notice = Some("A number is being typed: Enter accepts, Esc cancels".to_owned());
+            return;
+        };
+        // A doubt goes behind the number that is there.
+        doubt = matches!(typing.field.kind, Kind::Number(..)) && matches!(c, ' ' | '+' | '±');
+        event = KeyEvent::from(KeyCode::Char(c));
+    }
+    type_into(model, |line| {
+        line.selected &= !doubt;
+        line.key(event);
     });
 }
 
@@ -65,14 +56,12 @@ pub(crate) fn paste(model: &mut AppModel, text: &str, begins_value: bool) {
     });
 }
 
-/// Changes the text that is being typed. It says what is wrong with it and changes no value: the
-/// first digits of one are another one.
+/// Changes the text that is being typed and says what is wrong with it, but changes no value.
 pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {
     match &mut model.overlay {
         Some(Overlay::Name(_, input, error)) => {
             change(input);
             *error = check_name(input.value()).err().map(|e| e.to_string());
-            return;
         }
         Some(Overlay::Picker(picker)) => {
             let before = picker.input.value().to_owned();
@@ -80,30 +69,27 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
             if picker.input.value() != before {
                 picker.search(&model.choices);
             }
-            return;
         }
         Some(Overlay::Change(what)) => {
             change(&mut what.input);
             what.error = None;
-            return;
         }
         Some(Overlay::Threshold(_)) => {
-            threshold::retype(model, change);
-            return;
+            threshold::ask_otherwise(model, |asking| asking.retype(change));
         }
-        _ => {}
+        _ => {
+            let Some(mut typing) = model.form.typing.take() else {
+                return;
+            };
+            change(&mut typing.input);
+            let mut known = typing.input.value();
+            if matches!(typing.field.kind, Kind::Number(..)) {
+                known = begun(known).unwrap_or(known);
+            }
+            typing.error = meant(model, typing.field, known).err();
+            model.form.typing = Some(typing);
+        }
     }
-    let Some(mut typing) = model.form.typing.take() else {
-        return;
-    };
-    change(&mut typing.input);
-    let text = typing.input.value();
-    let known = match typing.field.kind {
-        Kind::Number(..) => begun(text).unwrap_or(text),
-        _ => text,
-    };
-    typing.error = meant(model, typing.field, known).err();
-    model.form.typing = Some(typing);
 }
 
 /// The scenario with this text in a field, if it may be worked on.
@@ -118,10 +104,7 @@ pub(crate) fn accept(model: &mut AppModel) -> bool {
         return true;
     };
     match meant(model, typing.field, typing.input.value()) {
-        Ok(scenario) => {
-            let work = model.work.with(scenario);
-            change(model, work, "");
-        }
+        Ok(scenario) => change(model, model.work.with(scenario), ""),
         Err(why) => {
             typing.error = Some(why);
             model.form.typing = Some(typing);

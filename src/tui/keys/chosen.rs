@@ -1,30 +1,16 @@
 //! Keys of a person's own choice, for what counts on every screen.
 //!
-//! A chosen key takes the place of the usual ones. One that means something else already, on every
-//! screen or in one pane, is refused with the name of what has it, so that no key ever means two
-//! things.
-//!
-//! Left out: the keys of single panes, of popups and of typing, which stay as they are.
+//! A chosen key takes the place of the usual ones. One that means something else already is
+//! refused with the name of what has it. Those of panes, popups and typing stay as they are.
 
 use crossterm::event::{KeyCode, KeyModifiers};
 
-use crate::tui::keys::press::Press;
+use crate::tui::keys::press::{HELD, NAMED, Press};
 use crate::tui::keys::{Key, KeyList};
 
 /// What was chosen, by the names of the bindings.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Keys(Vec<(&'static str, Vec<Press>)>);
-
-/// A key that two things would share.
-#[derive(Debug, PartialEq, Eq)]
-pub struct Clash {
-    /// What it was chosen for.
-    pub name: &'static str,
-    /// The key.
-    pub press: Press,
-    /// What has it already.
-    pub other: String,
-}
 
 impl Keys {
     /// The presses of a key.
@@ -46,9 +32,13 @@ impl Keys {
         }
     }
 
-    /// The first press that two things would share, of the keys that count on every screen and of
-    /// those of single panes. A usual one may: the nearer thing has it.
-    pub fn clash(&self, everywhere: &[KeyList], panes: &[KeyList]) -> Option<Clash> {
+    /// The first key that was chosen though something else has it, on every screen or in a pane:
+    /// what for, the key and what has it. A usual one may be shared: the nearer thing has it.
+    pub fn clash(
+        &self,
+        everywhere: &[KeyList],
+        panes: &[KeyList],
+    ) -> Option<(&'static str, Press, String)> {
         self.0.iter().find_map(|(name, presses)| {
             let mut keys = everywhere.iter().flat_map(|list| &list.keys);
             let usual = keys.find(|key| key.name == *name)?;
@@ -58,7 +48,7 @@ impl Keys {
                 let typed = |list: &&KeyList| list.keys.iter().any(|key| key.begins_value);
                 let own = panes.iter().filter(|list| !typed(list));
                 let other = self.holder(name, *press, everywhere.iter().chain(own))?;
-                Some(Clash { name, press: *press, other })
+                Some((*name, *press, other))
             })
         })
     }
@@ -80,19 +70,11 @@ impl Keys {
 }
 
 impl Press {
-    /// The key that is written like this: `Ctrl-Z`, `Alt-x`, `Shift-Up`, `F5`, `Space`, `U`.
-    ///
-    /// # Errors
-    /// Says why no terminal sends it.
-    pub fn read(written: &str) -> Result<Self, &'static str> {
+    /// The key that is written like `Ctrl-Z`, `Shift-Up`, `F5` or `U`, or why no terminal sends it.
+    pub(crate) fn read(written: &str) -> Result<Self, &'static str> {
         let mut modifiers = KeyModifiers::NONE;
         let mut rest = written.trim();
-        let prefixes = [
-            ("ctrl-", KeyModifiers::CONTROL),
-            ("alt-", KeyModifiers::ALT),
-            ("shift-", KeyModifiers::SHIFT),
-        ];
-        while let Some((prefix, modifier)) = prefixes.iter().find(|(prefix, _)| {
+        while let Some((prefix, modifier)) = HELD.iter().find(|(prefix, _)| {
             let head = rest.get(..prefix.len());
             rest.len() > prefix.len() && head.is_some_and(|head| head.eq_ignore_ascii_case(prefix))
         }) {
@@ -119,37 +101,12 @@ impl Press {
 
 fn code(word: &str) -> Option<KeyCode> {
     let mut chars = word.chars();
-    if let (Some(c), None) = (chars.next(), chars.next()) {
-        return match c {
-            '↑' => Some(KeyCode::Up),
-            '↓' => Some(KeyCode::Down),
-            '←' => Some(KeyCode::Left),
-            '→' => Some(KeyCode::Right),
-            c => (!c.is_control() && c != ' ').then_some(KeyCode::Char(c)),
-        };
+    if let Some((_, code)) = NAMED.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) {
+        return Some(*code);
     }
-    let words = [
-        ("space", KeyCode::Char(' ')),
-        ("up", KeyCode::Up),
-        ("down", KeyCode::Down),
-        ("left", KeyCode::Left),
-        ("right", KeyCode::Right),
-        ("home", KeyCode::Home),
-        ("end", KeyCode::End),
-        ("pgup", KeyCode::PageUp),
-        ("pgdn", KeyCode::PageDown),
-        ("tab", KeyCode::Tab),
-        ("enter", KeyCode::Enter),
-        ("esc", KeyCode::Esc),
-        ("backspace", KeyCode::Backspace),
-        ("delete", KeyCode::Delete),
-        ("insert", KeyCode::Insert),
-    ];
-    let lower = word.to_ascii_lowercase();
-    let named = words.iter().find(|(name, _)| *name == lower);
-    let function = || {
-        let number: u8 = lower.strip_prefix('f')?.parse().ok()?;
-        (1..=12).contains(&number).then_some(KeyCode::F(number))
-    };
-    named.map(|(_, code)| *code).or_else(function)
+    if let (Some(c), None) = (chars.next(), chars.next()) {
+        return (!c.is_control() && c != ' ').then_some(KeyCode::Char(c));
+    }
+    let number: u8 = word.strip_prefix(['f', 'F'])?.parse().ok()?;
+    (1..=12).contains(&number).then_some(KeyCode::F(number))
 }

@@ -48,35 +48,51 @@ impl Press {
 
     /// How it is written for a person.
     pub fn name(self) -> String {
-        let key = match self.0 {
-            KeyCode::Char(' ') => "Space".to_owned(),
-            KeyCode::Char(c) if self.1.contains(KeyModifiers::CONTROL) => {
-                c.to_uppercase().to_string()
+        let held = HELD.iter().filter(|(_, modifier)| self.1.contains(*modifier));
+        let mut name: String = held.map(|(name, _)| *name).collect();
+        let known = NAMED.iter().find(|(_, code)| *code == self.0);
+        match (known, self.0) {
+            (Some((key, _)), _) => name += key,
+            (None, KeyCode::Char(c)) if self.1.contains(KeyModifiers::CONTROL) => {
+                name.extend(c.to_uppercase());
             }
-            KeyCode::Char(c) => c.to_string(),
-            KeyCode::F(n) => format!("F{n}"),
-            KeyCode::Up => "↑".to_owned(),
-            KeyCode::Down => "↓".to_owned(),
-            KeyCode::Left => "←".to_owned(),
-            KeyCode::Right => "→".to_owned(),
-            KeyCode::BackTab => "Shift-Tab".to_owned(),
-            KeyCode::PageUp => "PgUp".to_owned(),
-            KeyCode::PageDown => "PgDn".to_owned(),
-            other => format!("{other:?}"),
-        };
-        let mut name = String::new();
-        if self.1.contains(KeyModifiers::CONTROL) {
-            name += "Ctrl-";
+            (None, KeyCode::Char(c)) => name.push(c),
+            (None, other) => name += &other.to_string(),
         }
-        if self.1.contains(KeyModifiers::ALT) {
-            name += "Alt-";
-        }
-        if self.1.contains(KeyModifiers::SHIFT) {
-            name += "Shift-";
-        }
-        name + &key
+        name
     }
 }
+
+/// How keys that are held down with another are written before it.
+pub(super) const HELD: [(&str, KeyModifiers); 3] = [
+    ("Ctrl-", KeyModifiers::CONTROL),
+    ("Alt-", KeyModifiers::ALT),
+    ("Shift-", KeyModifiers::SHIFT),
+];
+
+/// How keys are written that are no character and no function key; an arrow in two ways.
+pub(super) const NAMED: [(&str, KeyCode); 20] = [
+    ("Space", KeyCode::Char(' ')),
+    ("↑", KeyCode::Up),
+    ("↓", KeyCode::Down),
+    ("←", KeyCode::Left),
+    ("→", KeyCode::Right),
+    ("Up", KeyCode::Up),
+    ("Down", KeyCode::Down),
+    ("Left", KeyCode::Left),
+    ("Right", KeyCode::Right),
+    ("Home", KeyCode::Home),
+    ("End", KeyCode::End),
+    ("PgUp", KeyCode::PageUp),
+    ("PgDn", KeyCode::PageDown),
+    ("Shift-Tab", KeyCode::BackTab),
+    ("Tab", KeyCode::Tab),
+    ("Enter", KeyCode::Enter),
+    ("Esc", KeyCode::Esc),
+    ("Backspace", KeyCode::Backspace),
+    ("Delete", KeyCode::Delete),
+    ("Insert", KeyCode::Insert),
+];
 
 pub(crate) const UP: Press = plain(KeyCode::Up);
 pub(crate) const DOWN: Press = plain(KeyCode::Down);

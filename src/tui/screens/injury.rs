@@ -8,25 +8,20 @@ use crate::report::format::capital;
 use crate::report::risks::{basis, first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::screens::screen::{About, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
-use crate::tui::view::{eye::EyePicture, fundus::Fundus, sheet::Sheet};
-use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below};
+use crate::tui::view::{eye::EyePicture, sheet::Sheet};
+use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below, view::fundus};
 
+/// What the screen answers.
+pub(super) const QUESTION: &str = "What is hurt?";
 /// Columns that the screen takes at most: longer bars are no easier to read.
 const WIDEST: u16 = 120;
 /// Columns beside it from which on there is room for the eye.
 const PICTURED: u16 = 40;
 /// Rows of what explains the chosen injury, at least.
 const EXPLAINED: u16 = 2;
-
-pub(super) const ABOUT: About = About {
-    title: "Injury",
-    question: "What is hurt?",
-    purpose: "the risk of each injury and what it rests on",
-    new: || Box::new(Injuries::default()),
-};
 
 /// The place of the injury that is explained, and what is shown.
 #[derive(Default)]
@@ -69,8 +64,7 @@ impl Screen for Injuries {
 /// Draws the eye when the tissue of the chosen injury felt most.
 fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let area = sheet.area;
-    let injury = Injury::ALL.get(row);
-    let peak = injury.and_then(|injury| shown.answer.peak(injury.measure()));
+    let peak = shown.answer.peak(Injury::ALL[row].measure());
     let time = peak.map_or(model.time(), |peak| peak.time);
     let height = area.height.min(area.width / 2);
     EyePicture::of(model, shown, time).draw(Rect { height, ..area }, sheet.buffer);
@@ -85,12 +79,10 @@ fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
     let area = sheet.area;
     let sheet = &mut sheet.at(Rect { height: area.height.saturating_sub(SIGN_ROWS), ..area });
     let Some(sectors) = &shown.answer.run.sectors else {
-        let lines = wrapped(ROUND, area.width.saturating_sub(2).into());
-        sheet.put_lines((1, 1), &lines, sheet.theme.text());
+        sheet.put_wrapped((1, 1), ROUND, sheet.theme.text());
         return;
     };
-    let side = shown.scenario.eye_side();
-    Fundus { sectors, side }.draw(sheet);
+    fundus::draw(sectors, shown.scenario.eye_side(), sheet);
 }
 
 fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
@@ -98,16 +90,12 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let room = usize::from(area.width.saturating_sub(2));
     let used = above(model, shown, sheet);
     draw_signs(sheet);
-    let sheet = &mut sheet.at(Rect {
-        y: area.y + used,
-        height: area.height.saturating_sub(SIGN_ROWS + used),
-        ..area
-    });
+    let height = area.height.saturating_sub(SIGN_ROWS);
+    let sheet = &mut sheet.at(below(Rect { height, ..area }, used));
     let area = sheet.area;
     let risks = shown.answer.risks();
     let Some(risk) = risks.get(row) else {
-        let silence = wrapped(&first_line(&shown.answer), room);
-        sheet.put_lines((1, 1), &silence, theme.text());
+        sheet.put_wrapped((1, 1), &first_line(&shown.answer), theme.text());
         return;
     };
     let count = risks.len() as u16;
@@ -115,25 +103,19 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let heading = ("80 % ranges", theme.heading());
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
-    for x in 0..foot.area.width {
-        foot.put((x, 0), "─", theme.line());
-    }
-    // What is believed comes first, and last what does not count here.
-    let mut sentences = vec![format!("{}: {}", risk.injury.name(), risk.words())];
-    let mut basis = basis(&shown.answer, risk);
-    let published = basis.split_off(1);
+    foot.put((0, 0), "─".repeat(area.width.into()), theme.quiet());
+    let mut sentences = basis(&shown.answer, risk);
     if each > 1 {
         // The rest of it stands in the row.
-        basis[0] = format!("matched to {}", risk.injury.curve().matched);
+        sentences[0] = format!("matched to {}", risk.injury.curve().matched);
     }
-    sentences.append(&mut basis);
     let counts = shown.answer.case.blow.tested > 0.0;
-    if counts {
-        sentences.extend(published);
-    } else if !published.is_empty() {
-        let said = published.join("; ");
+    if !counts && sentences.len() > 1 {
+        let said = sentences.split_off(1).join("; ");
         sentences.push(format!("not counted, as such an object was not tested: {said}"));
     }
+    // What is believed comes first.
+    sentences.insert(0, format!("{}: {}", risk.injury.name(), risk.words()));
     let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
     let rows = usize::from(foot.area.height.saturating_sub(1));
     if wrapped(&sentences[..2].join(" "), room).len() > rows {
@@ -141,8 +123,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
             sentences[0] = sentences[0].replace(note, in_short(note));
         }
     }
-    let said = whole_sentences(&sentences, room, rows);
-    foot.put_lines((1, 1), &said, theme.text());
+    foot.put_lines((1, 1), whole_sentences(&sentences, room, rows), theme.text());
 }
 
 /// The paper's index, the flags and what the screen asks; gives the rows taken.
@@ -161,7 +142,7 @@ fn above(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
-        None => (ABOUT.question, theme.heading()),
+        None => (QUESTION, theme.heading()),
     };
     if end + width(right) + 2 < area.width {
         sheet.put_right((area.width - 1, last), right, style);

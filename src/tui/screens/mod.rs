@@ -11,16 +11,32 @@ pub mod map;
 pub mod replay;
 pub mod screen;
 
-use crate::tui::screens::screen::About;
+use accuracy::Measurement;
+use compare::comparison::Comparison;
+use doubt::Doubt;
+use forces::Forces;
+use injury::Injuries;
+use main::Main;
+use map::Map;
+use replay::Replay;
+use screen::About;
 
 /// Every screen, in the order of its number key; the first is shown first.
 pub const SCREENS: &[About] = &[
-    main::ABOUT,
-    replay::ABOUT,
-    forces::ABOUT,
-    compare::ABOUT,
-    accuracy::ABOUT,
-    doubt::ABOUT,
-    map::ABOUT,
-    injury::ABOUT,
+    About::new::<Main>("Main", main::QUESTION, "form, injuries, eye, curves"),
+    About::new::<Replay>("Replay", "What moved?", "the replay in full size"),
+    About::new::<Forces>("Forces", "When and how hard?", "the force profiles"),
+    About::new::<Comparison>("Compare", "Which is worse?", "compare presets"),
+    About::new::<Measurement>(
+        "Accuracy",
+        "How exact, at what cost?",
+        "how much less error costs how much time",
+    ),
+    About::new::<Doubt>("Doubt", "How sure?", "what the doubt in the inputs does"),
+    About::new::<Map>("Map", "What if?", "a result over two inputs"),
+    About::new::<Injuries>(
+        "Injury",
+        injury::QUESTION,
+        "the risk of each injury and what it rests on",
+    ),
 ];

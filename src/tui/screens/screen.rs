@@ -5,13 +5,16 @@ use std::any::Any;
 
 use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 use crate::run::trace::Trace;
 use crate::scenario::Scenario;
+use crate::tui::keys::press::{Press, c};
 use crate::tui::keys::{Binding, Key, KeyList, KeyTable, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::{keys::press::Press, request::Report, shown::ShownAnswer, step::Step};
-use crate::tui::{view::sheet::Sheet, work::Work};
+use crate::tui::request::{Report, TaskQuestion};
+use crate::tui::{outbox::Outbox, shown::ShownAnswer, step::Step, task::Task};
+use crate::tui::{view::sheet::Sheet, view::theme::Theme, work::Work};
 
 /// What there is to know of a screen before it is opened.
 pub struct About {
@@ -23,6 +26,17 @@ pub struct About {
     pub purpose: &'static str,
     /// Makes one that holds nothing yet.
     pub new: fn() -> Box<dyn Screen>,
+}
+
+impl About {
+    /// A screen with this title, this question and this purpose.
+    pub const fn new<S: Screen + Default>(
+        title: &'static str,
+        question: &'static str,
+        purpose: &'static str,
+    ) -> Self {
+        Self { title, question, purpose, new: || Box::new(S::default()) }
+    }
 }
 
 /// What the mouse does on a screen.
@@ -52,8 +66,7 @@ pub trait Screen: Keyed + Any {
     /// The app was opened on these.
     fn opened_on(&mut self, _model: &mut AppModel, _works: &[Work]) {}
 
-    /// How many samples over what is not known of the inputs it has room for; a few at most are
-    /// run though nobody asked.
+    /// How many samples of the inputs it has room for; a few at most are run though nobody asked.
     fn samples(&self) -> u32 {
         0
     }
@@ -86,11 +99,10 @@ pub trait Screen: Keyed + Any {
         None
     }
 
-    /// Takes in what the mouse does in the space that it is drawn into; whether it wants to be
-    /// told of drags from there.
+    /// Takes in what the mouse does on it; whether it wants to be told of drags from there.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, _area: Rect) -> bool {
         if let Mouse::Wheel(_, step) = mouse {
-            self.step_time(model, step.reversed());
+            self.step(model, step.reversed());
         }
         false
     }
@@ -100,8 +112,8 @@ pub trait Screen: Keyed + Any {
         model.timed()
     }
 
-    /// Goes through that time by a step from frame to frame.
-    fn step_time(&self, model: &mut AppModel, step: Step) {
+    /// Goes a step through what it shows: by itself from frame to frame of that time.
+    fn step(&mut self, model: &mut AppModel, step: Step) {
         let mut clock = model.clock;
         if let Some((answer, window)) = self.timed(model) {
             let time = clock.time_in(Some((answer, window)));
@@ -121,6 +133,44 @@ pub trait Screen: Keyed + Any {
     }
 }
 
+/// Has a task do what is wanted and nothing else; `same` tells whether it is at it already.
+pub fn follow<Q: TaskQuestion>(
+    task: &mut Task<Q>,
+    wanted: Option<Q>,
+    same: fn(&Q, &Q) -> bool,
+    out: &mut Outbox,
+) {
+    let both = task.job.as_ref().zip(wanted.as_ref());
+    if both.is_some_and(|(job, wanted)| same(&job.question, wanted)) {
+        return;
+    }
+    task.stop(None, out);
+    if let Some(question) = wanted {
+        task.ask(question, out);
+    }
+}
+
+/// The next of `all` that fits after this one, which may be the same.
+pub fn next_of<T: Copy + PartialEq>(all: &[T], here: T, fits: impl FnMut(&T) -> bool) -> T {
+    let after = all.iter().position(|one| *one == here).map_or(0, |at| at + 1);
+    let (before, after) = all.split_at(after);
+    after.iter().chain(before).copied().find(fits).unwrap_or(here)
+}
+
+/// How far a screen's work is, or why it stopped, or else what is `known`, for its first row.
+pub fn state_of_work(
+    pace: Option<String>,
+    stopped: Option<&str>,
+    known: String,
+    theme: Theme,
+) -> (String, Style) {
+    match (pace, stopped) {
+        (Some(pace), _) => (format!("{pace}  Esc stops"), theme.warning()),
+        (None, Some(why)) => (format!("{why}: m goes on"), theme.warning()),
+        (None, None) => (known, theme.quiet()),
+    }
+}
+
 /// What a key of a screen does to it and to what the screens share.
 pub type Act<S> = fn(&mut S, &mut AppModel);
 
@@ -131,33 +181,33 @@ pub const fn bind<S>(
     short: &'static str,
     help: &'static str,
 ) -> Binding<Act<S>> {
-    let key = Key::new(presses, short, help);
-    Binding { key, act }
+    Binding { key: Key::new(presses, short, help), act }
+}
+
+const GO_ON: &[Press] = &[c('m')];
+
+/// The key that goes on with what Esc has stopped.
+pub const fn go_on<S>(act: Act<S>) -> Binding<Act<S>> {
+    bind(GO_ON, act, "go on", "go on where Esc stopped it")
 }
 
 /// Keys of a pane, and when they count there.
-#[derive(Clone, Copy)]
 pub struct PaneKeys<S: 'static> {
-    /// The keys.
-    pub table: KeyTable<Act<S>>,
-    /// Whether they count now.
-    pub counts: fn(&S, &AppModel) -> bool,
+    table: KeyTable<Act<S>>,
+    counts: fn(&S, &AppModel) -> bool,
 }
 
 impl<S> PaneKeys<S> {
     /// Keys that always count where their pane has the focus.
     pub const fn new(title: &'static str, bindings: &'static [Binding<Act<S>>]) -> Self {
-        Self::when(|_, _| true, title, bindings)
+        Self { table: KeyTable::new(title, bindings), counts: |_, _| true }
     }
 
-    /// Keys that count there at times.
-    pub const fn when(
-        counts: fn(&S, &AppModel) -> bool,
-        title: &'static str,
-        bindings: &'static [Binding<Act<S>>],
-    ) -> Self {
-        let table = KeyTable::new(title, bindings);
-        Self { table, counts }
+    /// These keys where they count at times.
+    #[must_use]
+    pub const fn when(mut self, counts: fn(&S, &AppModel) -> bool) -> Self {
+        self.counts = counts;
+        self
     }
 }
 
@@ -172,9 +222,15 @@ pub struct Pane<S: 'static> {
 }
 
 impl<S> Pane<S> {
-    /// A pane of this name.
+    /// A pane with these.
     pub const fn new(name: &'static str, time: TimeKeys, keys: &'static [PaneKeys<S>]) -> Self {
         Self { name, keys, time }
+    }
+
+    /// Its tables of keys that count now.
+    fn now(&self, screen: &S, model: &AppModel) -> impl Iterator<Item = &'static KeyTable<Act<S>>> {
+        let now = self.keys.iter().filter(|keys| (keys.counts)(screen, model));
+        now.map(|keys| &keys.table)
     }
 }
 
@@ -228,15 +284,12 @@ impl<S: Screen + Panes> Keyed for S {
     }
 
     fn keys_now(&self, model: &AppModel) -> Vec<KeyList> {
-        let own = S::PANES[self.pane()].keys.iter();
-        let now = own.filter(|keys| (keys.counts)(self, model));
-        now.map(|keys| keys.table.list()).collect()
+        S::PANES[self.pane()].now(self, model).map(KeyTable::list).collect()
     }
 
     fn press(&mut self, model: &mut AppModel, event: KeyEvent) -> KeyOutcome {
-        let own = S::PANES[self.pane()].keys.iter();
-        let mut now = own.filter(|keys| (keys.counts)(self, model));
-        let Some(binding) = now.find_map(|keys| keys.table.find(&model.keys, event)) else {
+        let find = |table: &KeyTable<Act<S>>| table.find(&model.keys, event);
+        let Some(binding) = S::PANES[self.pane()].now(self, model).find_map(find) else {
             return KeyOutcome::Unknown;
         };
         if binding.key.begins_value {

@@ -21,9 +21,10 @@ pub enum ColorFlag {
 }
 
 /// How to draw the mesh and the curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Symbols {
     /// Eight dots in a character
+    #[default]
     Braille,
     /// Eight dots, and pictures in eight blocks a character, which few fonts have (Unicode 16)
     Octant,
@@ -34,9 +35,10 @@ pub enum Symbols {
 }
 
 /// How many colours there are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Depth {
     /// No colours.
+    #[default]
     Mono,
     /// The 16 of every terminal.
     Sixteen,
@@ -44,50 +46,32 @@ pub enum Depth {
     TwoFiveSix,
 }
 
-/// The colours to use; `None` where no screen can be drawn at all.
-///
-/// A terminal of 24 bits gets 256 colours: the heat map has eight steps, and more colours only
-/// cost bytes on the wire.
+/// The colours to use; `None` where no screen can be drawn at all. A terminal of 24 bits gets 256:
+/// more colours only cost bytes on the wire.
 pub fn depth(flag: ColorFlag, env: impl Fn(&str) -> Option<String>) -> Option<Depth> {
-    let is_set = |name: &str| env(name).is_some_and(|value| !value.is_empty());
     let term = env("TERM").unwrap_or_default();
     if term == "dumb" {
         return None;
     }
     let wide = ["256color", "kitty", "alacritty", "foot", "tmux"];
     let is_wide = term.ends_with("-direct") || wide.iter().any(|name| term.contains(name));
-    let rich = matches!(env("COLORTERM").unwrap_or_default().as_str(), "truecolor" | "24bit");
+    let is_rich = matches!(env("COLORTERM").unwrap_or_default().as_str(), "truecolor" | "24bit");
     Some(match flag {
         ColorFlag::Never => Depth::Mono,
-        ColorFlag::Sixteen => Depth::Sixteen,
         ColorFlag::TwoFiveSix => Depth::TwoFiveSix,
-        ColorFlag::Auto => by_environment(is_set("NO_COLOR"), rich || is_wide, &term),
+        ColorFlag::Auto if env("NO_COLOR").is_some_and(|set| !set.is_empty()) => Depth::Mono,
+        ColorFlag::Auto if is_rich || is_wide => Depth::TwoFiveSix,
+        ColorFlag::Auto if term.starts_with("vt") => Depth::Mono,
+        ColorFlag::Sixteen | ColorFlag::Auto => Depth::Sixteen,
     })
 }
 
-fn by_environment(no_color: bool, rich: bool, term: &str) -> Depth {
-    if no_color {
-        Depth::Mono
-    } else if rich {
-        Depth::TwoFiveSix
-    } else if term.starts_with("vt") {
-        Depth::Mono
-    } else {
-        Depth::Sixteen
-    }
-}
-
-/// The symbols to use. The consoles of Linux and of real terminals have no braille, and a locale
-/// that is not in UTF-8 has nothing beyond ASCII. Where no locale is set nobody knows; most
-/// terminals have all of it.
+/// The symbols to use: no braille on the consoles of Linux and of real terminals, nothing beyond
+/// ASCII in a locale that is not in UTF-8, and all where no locale is set, as most have all of it.
 pub fn symbols(flag: Option<Symbols>, env: impl Fn(&str) -> Option<String>) -> Symbols {
-    let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
-        .iter()
-        .find_map(|name| env(name).filter(|value| !value.is_empty()));
-    let is_utf8 = locale.is_none_or(|locale| {
-        let locale = locale.to_ascii_lowercase();
-        locale.contains("utf-8") || locale.contains("utf8")
-    });
+    let mut locales = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().filter_map(&env);
+    let locale = locales.find(|value| !value.is_empty()).map(|value| value.to_ascii_lowercase());
+    let is_utf8 = locale.is_none_or(|value| value.contains("utf-8") || value.contains("utf8"));
     flag.unwrap_or_else(|| match env("TERM").unwrap_or_default().as_str() {
         _ if !is_utf8 => Symbols::Ascii,
         "linux" => Symbols::Block,
@@ -103,9 +87,8 @@ mod tests {
     /// What is set by words such as `TERM=xterm`.
     fn env(set: &str) -> impl Fn(&str) -> Option<String> + '_ {
         move |name| {
-            let mut all = set.split(' ').filter_map(|word| word.split_once('='));
-            let found = all.find(|(known, _)| *known == name);
-            found.map(|(_, value)| value.to_owned())
+            let mut values = set.split(' ').filter_map(|word| word.strip_prefix(name));
+            values.find_map(|value| value.strip_prefix('=')).map(str::to_owned)
         }
     }
 

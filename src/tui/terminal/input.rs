@@ -8,9 +8,7 @@
 
 use std::time::Duration;
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseEvent};
-
-use crate::tui::terminal::mouse;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 /// Something that the terminal sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,6 +31,7 @@ const LONGEST_SEQUENCE: usize = 64;
 const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
 /// A paste whose end does not come, as when the link loses it, is over after this long.
 const PASTE_PATIENCE: Duration = Duration::from_secs(1);
+const PASTE_BEGIN: &[u8] = b"\x1b[200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
 
 /// Takes bytes and gives inputs.
@@ -42,13 +41,8 @@ pub struct Parser {
     pasted: Option<Vec<u8>>,
 }
 
-/// What the held bytes begin with.
-enum Parsed {
-    Unfinished,
-    Dropped(usize),
-    Found(usize, TerminalInput),
-    PasteBegins(usize),
-}
+/// How many of the held bytes are done with and what they say; nothing where they are unfinished.
+type Parsed<T = TerminalInput> = Option<(usize, Option<T>)>;
 
 impl Parser {
     /// Takes bytes as they came and gives everything that is complete.
@@ -90,7 +84,7 @@ impl Parser {
         }
         let held = std::mem::take(&mut self.held);
         match held.as_slice() {
-            [0x1b] => Some(key(KeyCode::Esc, KeyModifiers::NONE)),
+            [0x1b] => Some(plain(KeyCode::Esc)),
             [0x1b, b'['] => Some(key(KeyCode::Char('['), KeyModifiers::ALT)),
             [0x1b, b'O'] => Some(key(KeyCode::Char('O'), KeyModifiers::ALT)),
             _ => None,
@@ -100,23 +94,21 @@ impl Parser {
     fn drain(&mut self, inputs: &mut Vec<TerminalInput>) {
         while !self.held.is_empty() {
             let used = match parse(&self.held) {
-                Parsed::Unfinished if self.held.len() < LONGEST_SEQUENCE => return,
-                Parsed::Unfinished if is_string(&self.held) => {
+                None if self.held.len() < LONGEST_SEQUENCE => return,
+                None if is_string(&self.held) => {
                     // However long, it is none of our keys: the last byte may begin its end.
                     self.held.drain(2..self.held.len() - 1);
                     return;
                 }
-                Parsed::Unfinished => self.held.len(),
-                Parsed::Dropped(used) => used,
-                Parsed::Found(used, input) => {
-                    inputs.push(input);
-                    used
-                }
-                Parsed::PasteBegins(used) => {
-                    self.pasted = Some(Vec::new());
+                None => self.held.len(),
+                Some((used, input)) => {
+                    inputs.extend(input);
                     used
                 }
             };
+            if self.held[..used] == *PASTE_BEGIN {
+                self.pasted = Some(Vec::new());
+            }
             self.held.drain(..used);
         }
     }
@@ -131,6 +123,10 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> TerminalInput {
     TerminalInput::Key(KeyEvent::new(code, modifiers))
 }
 
+fn plain(code: KeyCode) -> TerminalInput {
+    key(code, KeyModifiers::NONE)
+}
+
 /// Whether these bytes begin an OSC, DCS, APC or PM, which run to ST or BEL.
 fn is_string(held: &[u8]) -> bool {
     matches!(held, [0x1b, b']' | b'P' | b'_' | b'^', ..])
@@ -138,118 +134,102 @@ fn is_string(held: &[u8]) -> bool {
 
 fn parse(held: &[u8]) -> Parsed {
     match held {
-        [0x1b] | [0x1b, b'[' | b'O'] | [0x1b, b'[', b'['] => Parsed::Unfinished,
+        [0x1b] | [0x1b, b'[' | b'O'] | [0x1b, b'[', b'['] => None,
         // The console of Linux sends its first five function keys in a way of its own.
-        [0x1b, b'[', b'[', last, ..] => match last {
-            b'A'..=b'E' => Parsed::Found(4, key(KeyCode::F(last - b'A' + 1), KeyModifiers::NONE)),
-            _ => Parsed::Dropped(4),
-        },
+        [0x1b, b'[', b'[', last, ..] => {
+            let number = (b'A'..=b'E').contains(last).then(|| last - b'A' + 1);
+            Some((4, number.map(|number| plain(KeyCode::F(number)))))
+        }
         [0x1b, b'[', rest @ ..] => csi(rest),
-        [0x1b, b'O', last, ..] => match function_key(*last) {
-            Some(code) => Parsed::Found(3, key(code, KeyModifiers::NONE)),
-            None => Parsed::Dropped(3),
-        },
+        [0x1b, b'O', last, ..] => Some((3, function_key(*last).map(plain))),
         [_, _, rest @ ..] if is_string(held) => {
-            let end = rest.iter().enumerate().find_map(|(i, byte)| match byte {
-                0x07 => Some(i + 3),
-                b'\\' if i > 0 && rest[i - 1] == 0x1b => Some(i + 3),
-                _ => None,
-            });
-            end.map_or(Parsed::Unfinished, Parsed::Dropped)
+            let ends = |at: &usize| rest[*at] == 0x07 || rest[..=*at].ends_with(b"\x1b\\");
+            (0..rest.len()).find(ends).map(|at| (at + 3, None))
         }
         // Two presses of Escape, or Escape before a sequence.
-        [0x1b, 0x1b, ..] => Parsed::Found(1, key(KeyCode::Esc, KeyModifiers::NONE)),
-        [0x1b, rest @ ..] => match character(rest) {
-            Parsed::Found(used, TerminalInput::Key(event)) => {
-                let held = event.modifiers | KeyModifiers::ALT;
-                Parsed::Found(used + 1, key(event.code, held))
-            }
-            other => other,
-        },
-        _ => character(held),
+        [0x1b, 0x1b, ..] => Some((1, Some(plain(KeyCode::Esc)))),
+        [0x1b, rest @ ..] => {
+            let (used, found) = character(rest)?;
+            Some((used + 1, found.map(|(code, held)| key(code, held | KeyModifiers::ALT))))
+        }
+        _ => {
+            let (used, found) = character(held)?;
+            Some((used, found.map(|(code, held)| key(code, held))))
+        }
     }
 }
 
-fn character(held: &[u8]) -> Parsed {
-    let found = |code, modifiers| Parsed::Found(1, key(code, modifiers));
-    let ctrl = |byte| found(KeyCode::Char(char::from(byte)), KeyModifiers::CONTROL);
-    let none = KeyModifiers::NONE;
-    match held[0] {
-        b'\r' | b'\n' => found(KeyCode::Enter, none),
-        b'\t' => found(KeyCode::Tab, none),
-        0x7f | 0x08 => found(KeyCode::Backspace, none),
-        0 => ctrl(b' '),
-        byte @ 1..=26 => ctrl(byte - 1 + b'a'),
-        byte @ 0x1c..=0x1f => ctrl(byte - 0x1c + b'4'),
-        byte @ 0x20..=0x7e => found(KeyCode::Char(char::from(byte)), none),
-        byte => {
-            let length = match byte {
-                0xc2..=0xdf => 2,
-                0xe0..=0xef => 3,
-                0xf0..=0xf4 => 4,
-                _ => return Parsed::Dropped(1),
-            };
-            let Some(bytes) = held.get(..length) else {
-                return if held[1..].iter().all(|b| (0x80..0xc0).contains(b)) {
-                    Parsed::Unfinished
-                } else {
-                    Parsed::Dropped(1)
-                };
-            };
-            let text = std::str::from_utf8(bytes).unwrap_or_default();
-            match text.chars().next() {
-                Some(c) => Parsed::Found(length, key(KeyCode::Char(c), none)),
-                None => Parsed::Dropped(1),
+fn character(held: &[u8]) -> Parsed<(KeyCode, KeyModifiers)> {
+    let ctrl = |byte| Some((1, Some((KeyCode::Char(char::from(byte)), KeyModifiers::CONTROL))));
+    let (used, code) = match held[0] {
+        b'\r' | b'\n' => (1, KeyCode::Enter),
+        b'\t' => (1, KeyCode::Tab),
+        0x7f | 0x08 => (1, KeyCode::Backspace),
+        0 => return ctrl(b' '),
+        byte @ 1..=26 => return ctrl(byte - 1 + b'a'),
+        byte @ 0x1c..=0x1f => return ctrl(byte - 0x1c + b'4'),
+        _ => match std::str::from_utf8(held) {
+            Ok(text) => {
+                let letter = text.chars().next()?;
+                (letter.len_utf8(), KeyCode::Char(letter))
             }
-        }
-    }
+            // An error without a length is a letter whose end is still to come.
+            Err(error) => return error.error_len().map(|_| (1, None)),
+        },
+    };
+    Some((used, Some((code, KeyModifiers::NONE))))
 }
 
 /// A control sequence, after its `ESC [`.
 fn csi(rest: &[u8]) -> Parsed {
-    let Some(end) = rest.iter().position(|byte| (0x40..=0x7e).contains(byte)) else {
-        let broken = rest.iter().position(|byte| !(0x20..=0x3f).contains(byte));
-        return broken.map_or(Parsed::Unfinished, |at| Parsed::Dropped(at + 2));
-    };
-    if let Some(broken) = rest[..end].iter().position(|b| !(0x20..=0x3f).contains(b)) {
-        return Parsed::Dropped(broken + 2);
+    let end = rest.iter().position(|byte| !(0x20..=0x3f).contains(byte))?;
+    let (numbers, last, used) = (&rest[..end], rest[end], end + 3);
+    if !(0x40..=0x7e).contains(&last) {
+        return Some((end + 2, None));
     }
-    let used = end + 3;
-    let private = (0x3c..=0x3f).contains(&rest[0]);
-    if private {
-        let report = rest[..end].strip_prefix(b"<");
-        let event = report.and_then(|numbers| mouse::report(numbers, rest[end]));
-        return match event {
-            Some(event) => Parsed::Found(used, TerminalInput::Mouse(event)),
-            None => Parsed::Dropped(used),
-        };
+    if matches!(rest[0], 0x3c..=0x3f) {
+        let report = numbers.strip_prefix(b"<");
+        let event = report.and_then(|numbers| mouse_report(numbers, last));
+        return Some((used, event.map(TerminalInput::Mouse)));
     }
-    let text = String::from_utf8_lossy(&rest[..end]);
-    let numbers = text.split(';').map(|part| part.parse().unwrap_or(0));
-    let numbers: Vec<u8> = numbers.collect();
+    let text = String::from_utf8_lossy(numbers);
+    let numbers: Vec<u8> = text.split(';').map(|part| part.parse().unwrap_or(0)).collect();
     let modifiers = numbers.get(1).map_or(KeyModifiers::NONE, |&n| held_keys(n));
-    let code = match (rest[end], numbers.first()) {
+    let code = match (last, &numbers[..]) {
         // A report has a row and a column; F3 with modifiers looks the same and is given up.
-        (b'R', _) if numbers.len() == 2 => {
-            return Parsed::Found(used, TerminalInput::CursorReport(numbers[1]));
-        }
-        (b'~', Some(200)) => return Parsed::PasteBegins(used),
-        (b'~', Some(&number)) => tilde_key(number),
+        (b'R', &[_, column]) => return Some((used, Some(TerminalInput::CursorReport(column)))),
+        (b'~', [number, ..]) => tilde_key(*number),
         (b'Z', _) => Some(KeyCode::BackTab),
-        (last, _) => function_key(last),
+        _ => function_key(last),
     };
-    match code {
-        Some(code) => Parsed::Found(used, key(code, modifiers)),
-        None => Parsed::Dropped(used),
-    }
+    Some((used, code.map(|code| key(code, modifiers))))
+}
+
+/// The event of `ESC [ < button ; column ; row M`, given what stands between `<` and the last
+/// letter. Buttons that mean nothing to the app give nothing.
+fn mouse_report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
+    let text = std::str::from_utf8(numbers).ok()?;
+    let numbers: Vec<u16> = text.split(';').map(str::parse).collect::<Result<_, _>>().ok()?;
+    let [button, column, row] = numbers.try_into().ok()?;
+    let kind = match (button & !0b1_1100, last) {
+        (0, b'M') => MouseEventKind::Down(MouseButton::Left),
+        (0, b'm') => MouseEventKind::Up(MouseButton::Left),
+        (32, b'M') => MouseEventKind::Drag(MouseButton::Left),
+        (64, b'M') => MouseEventKind::ScrollUp,
+        (65, b'M') => MouseEventKind::ScrollDown,
+        _ => return None,
+    };
+    let shift = button & 0b100 != 0;
+    let modifiers = if shift { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
+    // Terminals count from one.
+    let (column, row) = (column.checked_sub(1)?, row.checked_sub(1)?);
+    Some(MouseEvent { kind, column, row, modifiers })
 }
 
 /// The modifiers of `ESC [ 1 ; n A`.
 fn held_keys(number: u8) -> KeyModifiers {
-    let bits = number.saturating_sub(1);
-    let all = [KeyModifiers::SHIFT, KeyModifiers::ALT, KeyModifiers::CONTROL];
-    let held = all.into_iter().enumerate();
-    let held = held.filter(|(bit, _)| bits >> bit & 1 == 1);
+    let all = [(1, KeyModifiers::SHIFT), (2, KeyModifiers::ALT), (4, KeyModifiers::CONTROL)];
+    let held = all.into_iter().filter(|(bit, _)| number.saturating_sub(1) & bit != 0);
     held.map(|(_, modifier)| modifier).collect()
 }
 
@@ -285,6 +265,8 @@ fn tilde_key(number: u8) -> Option<KeyCode> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use MouseButton::Left;
+    use MouseEventKind::{Down, Drag, ScrollDown, ScrollUp, Up};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
 
@@ -292,28 +274,21 @@ mod tests {
         Parser::default().feed(bytes)
     }
 
-    fn plain(code: KeyCode) -> TerminalInput {
-        key(code, KeyModifiers::NONE)
-    }
-
     #[test]
     fn keys_are_read_with_their_modifiers() {
-        let shift = KeyModifiers::SHIFT;
-        let held = |c, modifiers| key(KeyCode::Char(c), modifiers);
-        let f = |n| plain(KeyCode::F(n));
-        let (up, down) = (plain(KeyCode::Up), plain(KeyCode::Down));
-        let (page, back) = (plain(KeyCode::PageUp), plain(KeyCode::BackTab));
-        for (bytes, expected) in [
-            ("a", vec![plain(KeyCode::Char('a'))]),
-            ("é", vec![plain(KeyCode::Char('é'))]),
-            ("\x1b[A\x1bOB", vec![up, down]),
-            ("\x1b[1;2C", vec![key(KeyCode::Right, shift)]),
-            ("\x1b[5~\x1b[Z", vec![page, back]),
-            ("\x03", vec![held('c', KeyModifiers::CONTROL)]),
-            ("\x1bOP\x1b[[B\x1b[13~\x1b[17~", vec![f(1), f(2), f(3), f(6)]),
-            ("\x1bx", vec![held('x', KeyModifiers::ALT)]),
-            ("\r", vec![plain(KeyCode::Enter)]),
+        use KeyCode::{BackTab, Char, Down, Enter, F, PageUp, Right, Up};
+        for (bytes, held, codes) in [
+            ("a", KeyModifiers::NONE, &[Char('a')][..]),
+            ("é", KeyModifiers::NONE, &[Char('é')]),
+            ("\x1b[A\x1bOB", KeyModifiers::NONE, &[Up, Down]),
+            ("\x1b[1;2C", KeyModifiers::SHIFT, &[Right]),
+            ("\x1b[5~\x1b[Z", KeyModifiers::NONE, &[PageUp, BackTab]),
+            ("\x03", KeyModifiers::CONTROL, &[Char('c')]),
+            ("\x1bOP\x1b[[B\x1b[13~\x1b[17~", KeyModifiers::NONE, &[F(1), F(2), F(3), F(6)]),
+            ("\x1bx", KeyModifiers::ALT, &[Char('x')]),
+            ("\r", KeyModifiers::NONE, &[Enter]),
         ] {
+            let expected: Vec<_> = codes.iter().map(|code| key(*code, held)).collect();
             assert_eq!(keys(bytes.as_bytes()), expected, "{bytes:?}");
         }
     }
@@ -341,9 +316,24 @@ mod tests {
             "\x1b[I",
             "\x1b[<35;10;10M",
         ] {
-            let mut parser = Parser::default();
-            assert_eq!(parser.feed(reply.as_bytes()), [], "{reply:?}");
-            assert_eq!(parser.feed(b"x"), [plain(KeyCode::Char('x'))], "{reply:?}");
+            let read = keys(&[reply.as_bytes(), b"x"].concat());
+            assert_eq!(read, [plain(KeyCode::Char('x'))], "{reply:?}");
+        }
+    }
+
+    #[test]
+    fn reports_of_the_mouse_are_read_and_others_are_nothing() {
+        let read = |text: &str| {
+            let (last, numbers) = text.as_bytes().split_last().unwrap();
+            mouse_report(numbers, *last).map(|e| (e.kind, e.column, e.row))
+        };
+        assert_eq!(read("0;1;1M"), Some((Down(Left), 0, 0)));
+        assert_eq!(read("0;300;90m"), Some((Up(Left), 299, 89)));
+        assert_eq!(read("32;5;6M"), Some((Drag(Left), 4, 5)));
+        assert_eq!(read("68;5;6M"), Some((ScrollUp, 4, 5)));
+        assert_eq!(read("65;5;6M"), Some((ScrollDown, 4, 5)));
+        for other in ["35;10;10M", "2;1;1M", "0;0;1M", "0;1M", "0;1;1;1M", "0;70000;1M", "M"] {
+            assert_eq!(read(other), None, "{other}");
         }
     }
 
@@ -366,10 +356,7 @@ mod tests {
         assert_eq!(parser.feed(b"0\x1b[201~q").len(), 2);
         let inputs = keys(b"\x1b[200~450\x1b[201~");
         assert_eq!(inputs, [TerminalInput::Paste("450".to_owned())]);
-        let mut long = b"\x1b[200~".to_vec();
-        long.extend(vec![b'x'; 100_000]);
-        long.extend(PASTE_END);
-        let inputs = keys(&long);
+        let inputs = keys(&[PASTE_BEGIN, &vec![b'x'; 100_000], PASTE_END].concat());
         assert!(matches!(&inputs[..], [TerminalInput::Paste(text)] if text.len() == LONGEST_PASTE));
     }
 

@@ -6,11 +6,8 @@
 
 mod app;
 pub mod caps;
-mod clipboard;
 mod event;
 pub mod input;
-mod jobs;
-mod mouse;
 pub mod pacer;
 pub mod paint;
 mod session;

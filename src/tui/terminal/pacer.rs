@@ -10,8 +10,7 @@
 //! Each reply names its question, so a late one frees no later frame and a lost one is not missed.
 //! A terminal that has ever answered and falls silent is stopped, or its link is: it gets no more
 //! frames, only a bare question now and then in case a reply was lost, and goes on with the first
-//! reply. A terminal that has never answered is asked twice; then a budget of bytes a second takes
-//! over.
+//! reply. One that has never answered is asked twice; then a budget of bytes a second takes over.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -24,8 +23,7 @@ const MAX_SILENCES: u32 = 2;
 const LONGEST_SILENCE: Duration = Duration::from_secs(60);
 /// Questions that can be told apart, by a column each.
 const COLUMNS: u8 = 8;
-/// Seconds: a reply is thought to take at least the first, and none is waited for beyond the
-/// other.
+/// Seconds: a reply is thought to take the first at least, and waited for no longer than the other.
 const FAREWELL: (f64, f64) = (0.15, 1.0);
 /// Bytes a second for a terminal that never answers.
 const BUDGET: f64 = 6000.0;
@@ -76,13 +74,11 @@ pub enum Cause {
 }
 
 impl Pacer {
-    /// For a terminal that has shown a frame when the write returns: nothing is asked or waited
-    /// for.
+    /// For a terminal that has shown a frame when the write returns: nothing is asked.
     pub fn local() -> Self {
         Self { local: true, ..Self::default() }
     }
 
-    /// Whether questions are asked.
     fn asks(&self) -> bool {
         !self.local && (self.answers || self.silences < MAX_SILENCES)
     }
@@ -108,8 +104,7 @@ impl Pacer {
 
     /// The column of a bare question that is due, for a terminal that used to answer.
     pub fn probe(&mut self, now: Instant) -> Option<u8> {
-        let due = self.probe_at().is_some_and(|at| now >= at);
-        due.then(|| self.ask(now, None))
+        self.probe_at().filter(|at| now >= *at).map(|_| self.ask(now, None))
     }
 
     /// The longer the silence, the longer until the next bare question.
@@ -125,9 +120,7 @@ impl Pacer {
         (self.answers, self.silences, self.free_at) = (true, 0, None);
         let place = self.open.iter().position(|q| q.column == column);
         self.open.drain(..place.unwrap_or(0));
-        let Some(question) = self.open.pop_front() else {
-            return;
-        };
+        let Some(question) = self.open.pop_front() else { return };
         // After a silence the delay says nothing of the link.
         let is_late = question.given_up || self.open.iter().any(|q| q.bytes.is_none());
         if let (Some(bytes), false) = (question.bytes, is_late) {
@@ -143,15 +136,14 @@ impl Pacer {
     /// Tells bytes from round trip: the slope of the line through the samples.
     fn judge(&mut self) {
         let count = self.samples.len() as f64;
-        let mean = |of: fn(&(f64, f64)) -> f64| self.samples.iter().map(of).sum::<f64>() / count;
-        let (size, delay) = (mean(|s| s.0), mean(|s| s.1));
-        let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
-            let part = |s: &(f64, f64)| of(s.0 - size, s.1 - delay);
-            self.samples.iter().map(part).sum()
+        let mean = |of: &dyn Fn(f64, f64) -> f64| {
+            self.samples.iter().map(|(bytes, seconds)| of(*bytes, *seconds)).sum::<f64>() / count
         };
-        let variance = sum(&|bytes, _| bytes * bytes) / count;
+        let (size, delay) = (mean(&|bytes, _| bytes), mean(&|_, seconds| seconds));
+        let variance = mean(&|bytes, _| (bytes - size) * (bytes - size));
         if self.samples.len() >= FEWEST && variance > LEAST_DEVIATION * LEAST_DEVIATION {
-            self.per_byte = sum(&|bytes, seconds| bytes * seconds) / count / variance;
+            let both = mean(&|bytes, seconds| (bytes - size) * (seconds - delay));
+            self.per_byte = both / variance;
         }
     }
 
@@ -162,10 +154,7 @@ impl Pacer {
             self.open.iter_mut().for_each(|q| q.given_up = true);
             self.silences += 1;
         }
-        let most = match cause {
-            Cause::Replay => 0,
-            Cause::Event => 1,
-        };
+        let most = usize::from(cause == Cause::Event);
         self.waiting().count() <= most && self.free_at.is_none_or(|at| now >= at)
     }
 
@@ -190,8 +179,7 @@ impl Pacer {
         if !self.asks() {
             return Duration::ZERO;
         }
-        let slowest = self.samples.iter().map(|(_, seconds)| *seconds);
-        let slowest = slowest.fold(FAREWELL.0, f64::max);
+        let slowest = self.samples.iter().fold(FAREWELL.0, |most, (_, seconds)| seconds.max(most));
         Duration::from_secs_f64((2.0 * slowest).min(FAREWELL.1))
     }
 
@@ -208,60 +196,52 @@ mod tests {
 
     const SHORT: Duration = Duration::from_millis(50);
 
-    #[test]
-    fn a_replay_waits_for_the_reply_and_a_key_for_all_but_one() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
-        assert!(pacer.is_free(start, Replay));
-        let first = pacer.sent(start, 1000).unwrap();
-        assert!(!pacer.is_free(start + SHORT, Replay));
-        assert!(pacer.is_free(start + SHORT, Event));
-        let second = pacer.sent(start + SHORT, 1000).unwrap();
-        assert!(!pacer.is_free(start + SHORT, Event));
-        pacer.replied(start + SHORT, first);
-        assert!(!pacer.is_free(start + SHORT, Replay));
-        assert!(pacer.is_free(start + SHORT, Event));
-        pacer.replied(start + SHORT, second);
-        assert!(pacer.is_free(start + SHORT, Replay));
-        assert!(!pacer.is_slow());
+    fn fresh() -> (Pacer, Instant) {
+        (Pacer::default(), Instant::now())
     }
 
     #[test]
-    fn a_reply_nobody_asked_for_frees_nothing() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
+    fn a_replay_waits_for_the_reply_and_a_key_for_all_but_one() {
+        let (mut pacer, start) = fresh();
+        assert!(pacer.is_free(start, Replay));
+        // Nobody asked for that.
         pacer.replied(start, 1);
-        pacer.sent(start, 1000);
-        assert!(!pacer.is_free(start + SHORT, Replay));
+        let first = pacer.sent(start, 1000).unwrap();
+        let later = start + SHORT;
+        assert!(!pacer.is_free(later, Replay) && pacer.is_free(later, Event));
+        let second = pacer.sent(later, 1000).unwrap();
+        assert!(!pacer.is_free(later, Event));
+        pacer.replied(later, first);
+        assert!(!pacer.is_free(later, Replay) && pacer.is_free(later, Event));
+        pacer.replied(later, second);
+        assert!(pacer.is_free(later, Replay) && !pacer.is_slow());
     }
 
     #[test]
     fn a_late_first_reply_does_not_free_the_frame_after_its_own() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
+        let (mut pacer, start) = fresh();
         let first = pacer.sent(start, 1000).unwrap();
         let later = start + PATIENCE;
         assert!(pacer.is_free(later, Replay));
         let second = pacer.sent(later, 1000).unwrap();
-        pacer.replied(later + SHORT, first);
-        assert!(!pacer.is_free(later + SHORT, Replay), "that was the first one's");
-        pacer.replied(later + 2 * SHORT, second);
-        assert!(pacer.is_free(later + 2 * SHORT, Replay));
+        for (column, is_free) in [(first, false), (second, true)] {
+            pacer.replied(later + SHORT, column);
+            assert_eq!(pacer.is_free(later + SHORT, Replay), is_free);
+        }
     }
 
-    /// A pacer whose terminal answered once and has another frame under way since `start`.
-    fn answering(start: Instant) -> (Pacer, u8) {
-        let mut pacer = Pacer::default();
+    /// A pacer whose terminal answered once and has another frame under way since then.
+    fn answering() -> (Pacer, Instant, u8) {
+        let (mut pacer, start) = fresh();
         let first = pacer.sent(start, 1000).unwrap();
         pacer.replied(start, first);
         let column = pacer.sent(start, 1000).unwrap();
-        (pacer, column)
+        (pacer, start, column)
     }
 
     #[test]
     fn a_terminal_that_is_stopped_gets_one_frame_more_and_goes_on_with_its_first_reply() {
-        let start = Instant::now();
-        let (mut pacer, column) = answering(start);
+        let (mut pacer, start, column) = answering();
         let (mut frames, mut probes) = (0, Vec::new());
         for tenth in 0..36_000 {
             let now = start + Duration::from_millis(100 * tenth);
@@ -286,8 +266,7 @@ mod tests {
 
     #[test]
     fn a_lost_reply_costs_one_bare_question() {
-        let start = Instant::now();
-        let (mut pacer, _) = answering(start);
+        let (mut pacer, start, _) = answering();
         let now = start + PATIENCE;
         assert_eq!(pacer.wake_at(), Some(now));
         assert!(pacer.probe(start + SHORT).is_none());
@@ -299,8 +278,7 @@ mod tests {
 
     #[test]
     fn a_terminal_without_columns_answers_in_turn() {
-        let mut pacer = Pacer::default();
-        let start = Instant::now();
+        let (mut pacer, start) = fresh();
         for _ in 0..20 {
             assert!(pacer.is_free(start, Replay));
             pacer.sent(start, 1000);
@@ -310,8 +288,7 @@ mod tests {
 
     #[test]
     fn a_terminal_that_never_answers_gets_a_budget_of_bytes() {
-        let mut pacer = Pacer::default();
-        let mut now = Instant::now();
+        let (mut pacer, mut now) = fresh();
         for _ in 0..MAX_SILENCES {
             assert!(pacer.asks());
             pacer.sent(now, 1000);
@@ -329,24 +306,19 @@ mod tests {
 
     #[test]
     fn the_last_replies_are_waited_for_as_long_as_they_may_take() {
-        let after = |delay: u64| {
-            let mut pacer = Pacer::default();
-            let start = Instant::now();
+        for (delay, farewell) in [(1, 300), (250, 500), (1900, 1000)] {
+            let (mut pacer, start) = fresh();
             let column = pacer.sent(start, 1000).unwrap();
             pacer.replied(start + Duration::from_millis(delay), column);
-            pacer.farewell()
-        };
-        assert_eq!(after(1), Duration::from_millis(300));
-        assert_eq!(after(250), Duration::from_millis(500));
-        assert_eq!(after(1900), Duration::from_secs(1));
+            assert_eq!(pacer.farewell(), Duration::from_millis(farewell));
+        }
         let mute = Pacer { silences: MAX_SILENCES, ..Pacer::default() };
         assert_eq!(mute.farewell(), Duration::ZERO);
     }
 
     #[test]
     fn a_local_console_is_neither_asked_nor_waited_for() {
-        let mut pacer = Pacer::local();
-        let start = Instant::now();
+        let (mut pacer, start) = (Pacer::local(), Instant::now());
         assert_eq!(pacer.sent(start, 1_000_000), None);
         assert!(!pacer.asks() && !pacer.awaits() && !pacer.is_slow());
         assert!(pacer.is_free(start, Replay));
@@ -354,17 +326,15 @@ mod tests {
 
     #[test]
     fn a_slow_link_is_noticed() {
-        let slow = |rate: f64| {
-            let mut pacer = Pacer::default();
-            let mut now = Instant::now();
+        // A long round trip alone is not slow.
+        for (rate, is_slow) in [(8_000.0, true), (32_000.0, false)] {
+            let (mut pacer, mut now) = fresh();
             for bytes in [50, 3000, 500, 2000, 300] {
                 let column = pacer.sent(now, bytes).unwrap();
                 now += Duration::from_millis(200) + Duration::from_secs_f64(bytes as f64 / rate);
                 pacer.replied(now, column);
             }
-            pacer.is_slow()
-        };
-        assert!(slow(8_000.0));
-        assert!(!slow(32_000.0), "a long round trip alone is not slow");
+            assert_eq!(pacer.is_slow(), is_slow);
+        }
     }
 }

@@ -9,10 +9,11 @@
 //!
 //! Left out: the cursor, which the program draws itself as a reversed cell, and underline colours.
 
-use std::io::Write;
-
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
+use ratatui::symbols::pixel::QUADRANTS;
+
+use crate::tui::view::{palette::SIXTEEN, text};
 
 /// Begins a synchronized update, which terminals that do not know it ignore.
 pub const BEGIN: &[u8] = b"\x1b[?2026h";
@@ -25,20 +26,6 @@ pub fn question(column: u8) -> Vec<u8> {
     format!("\x1b[1;{column}H\x1b[6n").into_bytes()
 }
 
-/// The order in which attributes are switched on, with their codes.
-const ATTRIBUTES: [(Modifier, u8); 6] = [
-    (Modifier::BOLD, 1),
-    (Modifier::DIM, 2),
-    (Modifier::ITALIC, 3),
-    (Modifier::UNDERLINED, 4),
-    (Modifier::REVERSED, 7),
-    (Modifier::CROSSED_OUT, 9),
-];
-
-/// Signs of blocks, each with what it leaves blank at the same place from the end.
-const BLOCKS: [&str; 16] =
-    [" ", "▘", "▝", "▀", "▖", "▌", "▞", "▛", "▗", "▚", "▐", "▜", "▄", "▙", "▟", "█"];
-
 /// A cell that is to be sent, with its place.
 type Changed<'a> = (u16, u16, &'a Cell);
 
@@ -46,7 +33,7 @@ type Changed<'a> = (u16, u16, &'a Cell);
 const AHEAD: usize = 256;
 
 /// What the terminal's pen is set to, and where it stands.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Default)]
 pub struct Pen {
     foreground: Color,
     background: Color,
@@ -55,25 +42,13 @@ pub struct Pen {
     at: Option<(u16, u16)>,
 }
 
-impl Default for Pen {
-    fn default() -> Self {
-        Self {
-            foreground: Color::Reset,
-            background: Color::Reset,
-            attributes: Modifier::empty(),
-            at: None,
-        }
-    }
-}
-
 impl Pen {
     /// Appends what turns `before` into `after`, which must have the same size.
     pub fn draw(&mut self, before: &Buffer, after: &Buffer, out: &mut Vec<u8>) {
         // The terminal may have been written to by others between two frames.
         self.at = None;
         let changed = before.diff(after);
-        let width =
-            |cell: &Cell| unicode_width::UnicodeWidthStr::width(cell.symbol()).max(1) as u16;
+        let width = |cell: &Cell| text::width(cell.symbol()).max(1);
         // What has one style and stands together is sent together.
         let joins = |a: &Changed, b: &Changed| {
             a.1 == b.1 && a.0 + width(a.2) == b.0 && a.2.style() == b.2.style()
@@ -106,26 +81,27 @@ impl Pen {
     }
 
     fn move_to(&mut self, x: u16, y: u16, out: &mut Vec<u8>) {
-        match self.at {
-            Some(here) if here == (x, y) => {}
-            Some((here, row)) if row == y && here < x => match x - here {
-                1 => put(out, format_args!("\x1b[C")),
-                gap => put(out, format_args!("\x1b[{gap}C")),
-            },
-            Some((_, row)) if row + 1 == y && x == 0 => put(out, format_args!("\r\n")),
-            _ if x == 0 => put(out, format_args!("\x1b[{}H", y + 1)),
-            _ => put(out, format_args!("\x1b[{};{}H", y + 1, x + 1)),
-        }
+        let way = match self.at {
+            Some(here) if here == (x, y) => return,
+            Some((here, row)) if row == y && here + 1 == x => "\x1b[C".to_owned(),
+            Some((here, row)) if row == y && here < x => format!("\x1b[{}C", x - here),
+            Some((_, row)) if row + 1 == y && x == 0 => "\r\n".to_owned(),
+            _ if x == 0 => format!("\x1b[{}H", y + 1),
+            _ => format!("\x1b[{};{}H", y + 1, x + 1),
+        };
+        out.extend(way.bytes());
     }
 
     /// A cell of blocks with ink and ground exchanged, where the pen has those colours already.
     fn cheaper(&self, cell: &Cell) -> Cell {
         let mut other = cell.clone();
-        let place = BLOCKS.iter().position(|symbol| *symbol == cell.symbol());
-        let solid = cell.symbol() == BLOCKS[0];
+        let sign = cell.symbol().parse().ok();
+        let place = QUADRANTS.iter().position(|block| Some(*block) == sign);
+        let solid = place == Some(0);
         let hidden = cell.bg == Color::Reset || (!solid && cell.fg == Color::Reset);
         if let Some(place) = place.filter(|_| !hidden && cell.modifier.is_empty()) {
-            other.set_symbol(BLOCKS[BLOCKS.len() - 1 - place]);
+            // What a block leaves blank has the same place from the end.
+            other.set_char(QUADRANTS[QUADRANTS.len() - 1 - place]);
             (other.fg, other.bg) = (cell.bg, if solid { self.background } else { cell.fg });
         }
         if self.changes(&other) < self.changes(cell) { other } else { cell.clone() }
@@ -133,77 +109,54 @@ impl Pen {
 
     /// How many colours of a cell the pen has not.
     fn changes(&self, cell: &Cell) -> u8 {
-        let inked = cell.symbol() != BLOCKS[0] && cell.fg != self.foreground;
+        let inked = cell.symbol() != " " && cell.fg != self.foreground;
         u8::from(inked) + u8::from(cell.bg != self.background)
     }
 
     fn set_style(&mut self, cell: &Cell, out: &mut Vec<u8>) {
-        let known = ATTRIBUTES.iter().fold(Modifier::empty(), |all, (one, _)| all | *one);
-        let wanted = cell.modifier & known;
+        let wanted = cell.modifier;
         let mut codes: Vec<String> = Vec::new();
         if !(self.attributes - wanted).is_empty() {
             // Bold and dim share their off switch, so all is switched off and on again.
             codes.push("0".to_owned());
             *self = Self { at: self.at, ..Self::default() };
         }
-        for (attribute, code) in ATTRIBUTES {
-            if (wanted - self.attributes).contains(attribute) {
-                codes.push(code.to_string());
-            }
-        }
+        // Attributes have the codes from 1 on in the order of their bits.
+        let added = (wanted - self.attributes).iter();
+        codes.extend(added.map(|one| (one.bits().trailing_zeros() + 1).to_string()));
         self.attributes = wanted;
         // A blank without a mark through it shows no foreground.
         let marks = Modifier::REVERSED | Modifier::UNDERLINED | Modifier::CROSSED_OUT;
         let blank = cell.symbol() == " " && !wanted.intersects(marks);
-        if !blank && cell.fg != self.foreground {
-            codes.push(colour(cell.fg, 30));
-            self.foreground = cell.fg;
-        }
-        if cell.bg != self.background {
-            codes.push(colour(cell.bg, 40));
-            self.background = cell.bg;
+        let inks = [(&mut self.foreground, cell.fg, 30), (&mut self.background, cell.bg, 40)];
+        for (known, wanted, base) in inks.into_iter().skip(usize::from(blank)) {
+            if *known != wanted {
+                codes.push(colour(wanted, base));
+                *known = wanted;
+            }
         }
         if !codes.is_empty() {
-            put(out, format_args!("\x1b[{}m", codes.join(";")));
+            out.extend(format!("\x1b[{}m", codes.join(";")).bytes());
         }
     }
 }
 
-fn put(out: &mut Vec<u8>, text: std::fmt::Arguments) {
-    // Writing to memory cannot fail.
-    let _ = out.write_fmt(text);
-}
-
 /// The code of a colour; `base` is 30 for text and 40 for what is behind it.
-fn colour(colour: Color, base: u8) -> String {
-    let dark = |n: u8| (base + n).to_string();
-    let bright = |n: u8| (base + 60 + n).to_string();
-    match colour {
-        Color::Reset => dark(9),
-        Color::Black => dark(0),
-        Color::Red => dark(1),
-        Color::Green => dark(2),
-        Color::Yellow => dark(3),
-        Color::Blue => dark(4),
-        Color::Magenta => dark(5),
-        Color::Cyan => dark(6),
-        Color::Gray => dark(7),
-        Color::DarkGray => bright(0),
-        Color::LightRed => bright(1),
-        Color::LightGreen => bright(2),
-        Color::LightYellow => bright(3),
-        Color::LightBlue => bright(4),
-        Color::LightMagenta => bright(5),
-        Color::LightCyan => bright(6),
-        Color::White => bright(7),
-        Color::Indexed(n) => format!("{};5;{n}", base + 8),
-        Color::Rgb(r, g, b) => format!("{};2;{r};{g};{b}", base + 8),
+fn colour(colour: Color, base: usize) -> String {
+    let place = SIXTEEN.iter().position(|(_, known)| *known == colour);
+    match (colour, place) {
+        (_, Some(dark @ ..8)) => (base + dark).to_string(),
+        (_, Some(bright)) => (base + 60 + bright - 8).to_string(),
+        (Color::Indexed(n), _) => format!("{};5;{n}", base + 8),
+        (Color::Rgb(r, g, b), _) => format!("{};2;{r};{g};{b}", base + 8),
+        _ => (base + 9).to_string(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Color::{DarkGray, Indexed, LightYellow, Red, Reset, Rgb, White};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
     use ratatui::backend::{Backend, CrosstermBackend};
@@ -213,15 +166,8 @@ mod tests {
     const AREA: Rect = Rect::new(0, 0, 12, 4);
 
     fn style() -> impl Strategy<Value = Style> {
-        let colours = prop::sample::select(vec![
-            Color::Reset,
-            Color::Red,
-            Color::LightYellow,
-            Color::White,
-            Color::DarkGray,
-            Color::Indexed(208),
-            Color::Rgb(1, 2, 3),
-        ]);
+        let colours = [Reset, Red, LightYellow, White, DarkGray, Indexed(208), Rgb(1, 2, 3)];
+        let colours = prop::sample::select(colours.to_vec());
         let modifiers = prop::sample::select(vec![
             Modifier::empty(),
             Modifier::BOLD,
@@ -252,37 +198,21 @@ mod tests {
         vt100::Parser::new(cells(4), cells(12), 0)
     }
 
-    /// What is seen of a cell: a blank has no foreground.
+    /// What is seen of each cell: a blank has no foreground, and ink and ground may be exchanged.
     fn seen(screen: &vt100::Screen) -> Vec<String> {
         let cell = |i: u16| {
             let cell = screen.cell(i / 12, i % 12).unwrap();
-            // Ink and ground may be exchanged.
-            if cell.contents() == "█" && !cell.inverse() {
-                return format!("\"\" None {:?} None false false", short(cell.fgcolor()));
-            }
-            let text = cell.contents().trim().to_owned();
-            let mut colours = (cell.fgcolor(), cell.bgcolor());
-            let turned = text == "▐";
-            if turned {
-                colours = (colours.1, colours.0);
-            }
-            let text = if turned { "▌".to_owned() } else { text };
-            let bare = text.is_empty() && !cell.inverse();
-            let fg = (!bare).then(|| short(colours.0));
-            let lit = (!bare).then(|| (cell.bold(), cell.dim()));
-            format!(
-                "{text:?} {fg:?} {:?} {lit:?} {} {}",
-                short(colours.1),
-                cell.underline(),
-                cell.inverse()
-            )
+            let (text, inverse) = (cell.contents().trim(), cell.inverse());
+            let (text, ink, ground) = match text {
+                "▐" => ("▌", cell.bgcolor(), cell.fgcolor()),
+                "█" if !inverse => ("", cell.bgcolor(), cell.fgcolor()),
+                _ => (text, cell.fgcolor(), cell.bgcolor()),
+            };
+            let inked = !text.is_empty() || inverse;
+            let lit = inked.then(|| (ink, cell.bold(), cell.dim()));
+            format!("{text:?} {lit:?} {ground:?} {} {inverse}", cell.underline())
         };
         (0..48).map(cell).collect()
-    }
-
-    /// The stock backend writes the 16 colours as the first of the 256.
-    fn short(colour: vt100::Color) -> String {
-        format!("{colour:?}")
     }
 
     proptest! {
@@ -293,10 +223,9 @@ mod tests {
         })]
         #[test]
         fn a_terminal_shows_the_same_as_with_the_stock_backend_for_fewer_bytes(first in screen(), second in screen()) {
-            let blank = Buffer::empty(AREA);
             let mut pen = Pen::default();
             let (mut ours, mut theirs) = (emulator(), emulator());
-            for (before, after) in [(&blank, &first), (&first, &second)] {
+            for (before, after) in [(&Buffer::empty(AREA), &first), (&first, &second)] {
                 let mut bytes = Vec::new();
                 pen.draw(before, after, &mut bytes);
                 ours.process(&bytes);
@@ -306,14 +235,9 @@ mod tests {
                 prop_assert!(bytes.len() <= stock.len(), "{} > {}", bytes.len(), stock.len());
                 prop_assert_eq!(seen(ours.screen()), seen(theirs.screen()));
             }
+            let mut nothing = Vec::new();
+            pen.draw(&second, &second, &mut nothing);
+            prop_assert!(nothing.is_empty());
         }
-    }
-
-    #[test]
-    fn nothing_changed_is_no_bytes() {
-        let screen = Buffer::empty(AREA);
-        let mut out = Vec::new();
-        Pen::default().draw(&screen, &screen.clone(), &mut out);
-        assert_eq!(out, b"");
     }
 }

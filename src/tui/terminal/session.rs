@@ -2,8 +2,6 @@
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-#[cfg(unix)]
-use std::{thread, time::Duration};
 
 use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
@@ -34,14 +32,16 @@ impl Session {
             // A worker's panic must not leave an app behind that waits for it.
             std::process::exit(101);
         }));
-        system::restore_on_abort(is_entered)?;
+        system::restore_on_abort(|| ENTERED.load(Ordering::SeqCst))?;
         let mut session = Self { out };
         session.resume()?;
         Ok(session)
     }
 
-    /// Takes the terminal over again.
+    /// Takes the terminal over again, in whatever state somebody else left it.
     pub fn resume(&mut self) -> io::Result<()> {
+        // What counts as raw already would not be made raw again.
+        disable_raw_mode()?;
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
         self.out.write_all(ENTER)?;
@@ -57,13 +57,6 @@ impl Session {
             return Ok(());
         }
         system::listen_to_mouse(&self.out, listen)
-    }
-
-    /// Takes the terminal over again after somebody else may have changed it.
-    pub fn retake(&mut self) -> io::Result<()> {
-        // Raw mode counts as entered already, and would not be entered again.
-        disable_raw_mode()?;
-        self.resume()
     }
 
     /// Gives the terminal back.
@@ -84,11 +77,6 @@ impl Drop for Session {
     }
 }
 
-/// Whether the terminal is in the app's hands.
-fn is_entered() -> bool {
-    ENTERED.load(Ordering::SeqCst)
-}
-
 /// Gives back what can be given back of a terminal that does not read, and ends the program.
 #[cfg(unix)]
 pub(super) fn abandon(code: i32) -> ! {
@@ -98,7 +86,7 @@ pub(super) fn abandon(code: i32) -> ! {
             leave(&out);
         }
     });
-    thread::sleep(Duration::from_millis(200));
+    std::thread::sleep(std::time::Duration::from_millis(200));
     let _ = disable_raw_mode();
     std::process::exit(code)
 }

@@ -14,18 +14,16 @@ use signal_hook::consts::{
     SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
     SIGWINCH,
 };
-use signal_hook::iterator;
+use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
 
 use crate::run::threads;
-use crate::tui::terminal::{event::Event, pacer::Pacer};
-use crate::tui::terminal::{mouse, session};
+use crate::tui::terminal::{event::Event, pacer::Pacer, session};
 
 /// Where the app draws: a handle of its own takes no lock, so a panic on any thread can write.
 pub(super) type Out = File;
 
-/// How long after a signal the app may take to leave by itself. A terminal that does not read
-/// holds it up for ever.
+/// The time to leave by itself after a signal. A terminal that does not read holds the app up.
 const LAST_CALL: Duration = Duration::from_secs(2);
 
 /// Opens what is drawn on.
@@ -38,9 +36,13 @@ pub(super) fn pacer() -> Pacer {
     Pacer::default()
 }
 
+/// Asks for presses, drags and the wheel; a mouse that merely moves sends nothing.
+const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
+const MOUSE_OFF: &[u8] = b"\x1b[?1002l\x1b[?1006l";
+
 /// Has the terminal report its mouse, or no longer.
 pub(super) fn listen_to_mouse(mut out: &Out, listen: bool) -> io::Result<()> {
-    out.write_all(if listen { mouse::ON } else { mouse::OFF })
+    out.write_all(if listen { MOUSE_ON } else { MOUSE_OFF })
 }
 
 /// What is said once the terminal is given back; when memory runs out nothing else can be.
@@ -59,7 +61,7 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
         if is_entered() {
             let mut ready = [PollFd::new(&out, PollFlags::OUT)];
             if matches!(poll(&mut ready, Some(&LAST_WORDS)), Ok(1)) {
-                for bytes in [mouse::OFF, session::LEAVE, ABORTED] {
+                for bytes in [MOUSE_OFF, session::LEAVE, ABORTED] {
                     let _ = rustix::io::write(&out, bytes);
                 }
             }
@@ -73,18 +75,14 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
     Ok(())
 }
 
-/// The signals that are listened to, from now on.
-pub(super) struct Signals(iterator::Signals);
-
 /// Listens to every signal that would end or stop the app and leave the terminal as it is.
 pub(super) fn signals() -> io::Result<Signals> {
-    let all =
-        [SIGWINCH, SIGCONT, SIGXFSZ, SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM];
-    Ok(Signals(iterator::Signals::new(all)?))
+    let ends = [SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM];
+    Signals::new(ends.into_iter().chain([SIGWINCH, SIGCONT, SIGXFSZ]))
 }
 
 /// Sends what is typed and which signals come.
-pub(super) fn listen(send: &SyncSender<Event>, Signals(mut signals): Signals) -> io::Result<()> {
+pub(super) fn listen(send: &SyncSender<Event>, mut signals: Signals) -> io::Result<()> {
     let sender = send.clone();
     threads::start(move || {
         let mut told = false;
@@ -123,17 +121,17 @@ const BITE: usize = 256;
 fn read_keyboard(send: &SyncSender<Event>) {
     let mut keyboard = io::stdin().lock();
     let mut bytes = [0; BITE];
-    loop {
+    let mut is_open = true;
+    while is_open {
         let event = match keyboard.read(&mut bytes) {
-            Ok(0) => Event::hangup(),
-            Ok(count) => Event::Bytes(bytes[..count].to_vec()),
+            Ok(count @ 1..) => Event::Bytes(bytes[..count].to_vec()),
             Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(_) => Event::hangup(),
+            _ => {
+                is_open = false;
+                Event::hangup()
+            }
         };
-        let over = event.is_end();
-        if send.send(event).is_err() || over {
-            return;
-        }
+        is_open &= send.send(event).is_ok();
     }
 }
 

@@ -14,8 +14,7 @@ use crate::tui::terminal::{event::Event, input::TerminalInput, pacer::Pacer};
 /// Where the app draws: only this handle turns UTF-8 into what a console takes.
 pub(super) type Out = io::Stdout;
 
-/// Opens what is drawn on; none where the console is older than escape sequences (Windows 10 of
-/// 2016).
+/// Opens what is drawn on; none where escape sequences are unknown, as before Windows 10 of 2016.
 pub(super) fn out() -> io::Result<Out> {
     if crossterm::ansi_support::supports_ansi() {
         Ok(io::stdout())
@@ -45,18 +44,17 @@ pub(super) fn restore_on_abort(_is_entered: fn() -> bool) -> io::Result<()> {
 }
 
 /// There are none.
-pub(super) struct Signals;
-
-/// There are none.
-pub(super) fn signals() -> io::Result<Signals> {
-    Ok(Signals)
+#[expect(clippy::unnecessary_wraps, reason = "other systems may refuse")]
+pub(super) fn signals() -> io::Result<()> {
+    Ok(())
 }
 
 /// Sends what is typed and when the window changes.
-pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
+pub(super) fn listen(send: &SyncSender<Event>, (): ()) -> io::Result<()> {
     let send = send.clone();
     threads::start(move || {
-        loop {
+        let mut is_open = true;
+        while is_open {
             let event = match console::read() {
                 Ok(console::Event::Key(key)) if key.kind != KeyEventKind::Release => {
                     Event::Input(TerminalInput::Key(key))
@@ -65,12 +63,12 @@ pub(super) fn listen(send: &SyncSender<Event>, _: Signals) -> io::Result<()> {
                 Ok(console::Event::Paste(text)) => Event::Input(TerminalInput::Paste(text)),
                 Ok(console::Event::Resize(..)) => Event::Resized,
                 Ok(_) => continue,
-                Err(_) => Event::hangup(),
+                Err(_) => {
+                    is_open = false;
+                    Event::hangup()
+                }
             };
-            let over = event.is_end();
-            if send.send(event).is_err() || over {
-                return;
-            }
+            is_open &= send.send(event).is_ok();
         }
     })
 }

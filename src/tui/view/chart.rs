@@ -8,6 +8,9 @@ use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::{text::width, theme::Theme};
 
+/// From and to.
+type Ends = (f64, f64);
+
 /// A curve over time.
 pub struct TimeCurve<'a> {
     /// Times in s.
@@ -36,25 +39,14 @@ const ACTIVE: f64 = 0.02;
 /// Left before and after, as a share of the whole.
 const LEFT: f64 = 0.03;
 
-/// From when to when something happens in any of some values over the same times, of all up to
-/// `window`.
-pub fn active<'a>(
-    time: &[f64],
-    values: impl Iterator<Item = &'a [f64]>,
-    window: f64,
-) -> (f64, f64) {
-    let mut span: Option<(f64, f64)> = None;
-    for values in values {
+/// From when to when something happens in any of some values, of all times up to `window`.
+pub fn active<'a>(time: &[f64], values: impl Iterator<Item = &'a [f64]>, window: f64) -> Ends {
+    let ends = values.filter_map(|values| {
         let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         let high = |value: &f64| value.abs() > ACTIVE * largest;
-        let ends = (values.iter().position(high), values.iter().rposition(high));
-        let (Some(first), Some(last)) = ends else {
-            continue;
-        };
-        let (first, last) = (time[first], time[last]);
-        span = Some(span.map_or((first, last), |(from, to)| (first.min(from), last.max(to))));
-    }
-    let Some((first, last)) = span else {
+        Some((time[values.iter().position(high)?], time[values.iter().rposition(high)?]))
+    });
+    let Some((first, last)) = ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else {
         return (0.0, window);
     };
     let left = LEFT * window;
@@ -64,33 +56,25 @@ pub fn active<'a>(
 }
 
 /// The range of several curves over a span of time, 0 among them.
-fn range(curves: &[TimeCurve], (from, to): (f64, f64)) -> (f64, f64) {
-    let mut range = (0.0, 0.0);
+fn range(curves: &[TimeCurve], (from, to): Ends) -> Ends {
+    let mut range = (0.0_f64, 0.0_f64);
     for curve in curves {
-        for (t, value) in curve.time.iter().zip(curve.values) {
-            if (from..=to).contains(t) {
-                range = (
-                    f64::min(range.0, value * curve.factor),
-                    f64::max(range.1, value * curve.factor),
-                );
-            }
+        let seen = curve.time.iter().zip(curve.values).filter(|(t, _)| (from..=to).contains(*t));
+        for value in seen.map(|(_, value)| value * curve.factor) {
+            range = (range.0.min(value), range.1.max(value));
         }
     }
     range
 }
 
-/// Draws curves into `area`, a span of time across and `low` to `high` upwards. A column of dots
-/// spans all values that fall into it, so no peak is lost.
-fn plot(
-    raster: &mut Raster,
-    curves: &[TimeCurve],
-    (start, end): (f64, f64),
-    (low, high): (f64, f64),
-    filled: bool,
-) {
+/// Draws curves, a span of time across and a range of values upwards. A column of dots spans all
+/// values that fall into it, so no peak is lost.
+fn plot(raster: &mut Raster, curves: &[TimeCurve], span: Ends, range: Ends, filled: bool) {
+    let ((start, end), (low, high)) = (span, range);
     let (columns, rows) = raster.size();
     let span = if high > low { high - low } else { 1.0 };
     let row = |value: f64| f64::from(rows - 1) * (1.0 - (value - low) / span);
+    let wider = |(top, bottom): Ends, row: f64| (top.min(row), bottom.max(row));
     for curve in curves {
         let mut previous: Option<f64> = None;
         for column in 0..columns {
@@ -99,48 +83,37 @@ fn plot(
             let begin = curve.time.partition_point(|t| *t < from);
             let end = curve.time.partition_point(|t| *t < to);
             let inside = curve.values[begin..end].iter().copied();
-            let start = value_at(curve.time, curve.values, from);
-            let values = start.into_iter().chain(inside);
-            let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-            for value in values {
-                least = least.min(value * curve.factor);
-                most = most.max(value * curve.factor);
-            }
-            if least > most {
+            let between = |at: f64| value_at(curve.time, curve.values, at);
+            let rows = between(from).into_iter().chain(inside).map(|v| row(v * curve.factor));
+            let ends = rows.fold((f64::INFINITY, f64::NEG_INFINITY), wider);
+            if ends.0 > ends.1 {
                 break;
             }
-            let (mut top, mut bottom) = (row(most), row(least));
-            if let Some(previous) = previous {
-                top = top.min(previous);
-                bottom = bottom.max(previous);
-            }
+            let (top, mut bottom) = previous.into_iter().fold(ends, wider);
             if filled {
                 bottom = bottom.max(row(0.0));
             }
-            let last = value_at(curve.time, curve.values, to);
-            previous = last.map(|value| row(value * curve.factor));
+            previous = between(to).map(|value| row(value * curve.factor));
             let x = f64::from(column) + 0.5;
-            let steps = curve.ink.every;
-            if steps > 1 && column % i32::from(steps) != 0 {
-                continue;
+            if column % i32::from(curve.ink.every) == 0 {
+                let ink = Ink { every: 1, ..curve.ink };
+                raster.line((x, top.round() + 0.5), (x, bottom.round() + 0.5), ink);
             }
-            let ink = Ink { every: 1, ..curve.ink };
-            raster.line((x, top.round() + 0.5), (x, bottom.round() + 0.5), ink);
         }
     }
 }
 
 /// Draws where a range has its zero.
-fn zero_line(raster: &mut Raster, (low, high): (f64, f64), theme: Theme) {
+fn zero_line(raster: &mut Raster, (low, high): Ends, theme: Theme) {
     let (columns, rows) = raster.size();
     let share = if high > low { high / (high - low) } else { 1.0 };
     let zero = (f64::from(rows - 1) * share).round() + 0.5;
-    let line = Ink::solid(theme.line(), 0, '-').dotted(2);
+    let line = Ink::solid(theme.quiet(), 0, '-').dotted(2);
     raster.line((0.0, zero), (f64::from(columns - 1), zero), line);
 }
 
 /// A curve with its zero line, with a mark at the present moment below it.
-pub fn spark(curve: TimeCurve, span: (f64, f64), now: f64, sheet: &mut Sheet) {
+pub fn spark(curve: TimeCurve, span: Ends, now: f64, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let mut raster = Raster::new(area, theme.look.symbols);
     let curves = [curve];
@@ -161,8 +134,7 @@ pub fn spark(curve: TimeCurve, span: (f64, f64), now: f64, sheet: &mut Sheet) {
 /// A curve over the whole of a raster, filled down to 0.
 pub fn fill(raster: &mut Raster, curve: TimeCurve, window: f64) {
     let (curves, span) = ([curve], (0.0, window));
-    let range = range(&curves, span);
-    plot(raster, &curves, span, range, true);
+    plot(raster, &curves, span, range(&curves, span), true);
 }
 
 /// Several curves with axes and a cursor.
@@ -174,7 +146,7 @@ pub struct TimeChart<'a> {
     /// What it shows.
     pub curves: Vec<TimeCurve<'a>>,
     /// The ends of the time axis, in s.
-    pub span: (f64, f64),
+    pub span: Ends,
     /// The cursor, in s.
     pub cursor: f64,
 }
@@ -198,17 +170,16 @@ impl TimeChart<'_> {
         let (low, high) = range(&self.curves, self.span);
         let (low, high) = if high > low { (low, high) } else { (low, low + 1.0) };
         let (first, last) = (self.span.0 * 1e3, self.span.1 * 1e3);
-        let up = ticks(low, high, usize::from(field.height / 3).clamp(2, 6));
-        let up = up.into_iter().map(|v| ((high - v) / (high - low), tick_label(v)));
-        let across = ticks(first, last, usize::from(field.width / 9).clamp(2, 10));
-        let across = across.into_iter();
+        let up = ticks(low, high, (field.height / 3).clamp(2, 6)).into_iter();
+        let up = up.map(|v| ((high - v) / (high - low), tick_label(v)));
+        let across = ticks(first, last, (field.width / 9).clamp(2, 10)).into_iter();
         let across = across.map(|v| ((v - first) / (last - first), tick_label(v)));
         axes(field, (up, across), 0, sheet);
         let mut raster = Raster::new(field, theme.look.symbols);
         let (columns, rows) = raster.size();
         let (start, end) = self.span;
-        let at = (self.cursor - start) / (end - start) * f64::from(columns - 1);
         if (start..=end).contains(&self.cursor) {
+            let at = (self.cursor - start) / (end - start) * f64::from(columns - 1);
             let line = Ink::solid(theme.cursor(), 0, '|').dotted(2);
             raster.line((at, 0.0), (at, f64::from(rows - 1)), line);
         }
@@ -226,25 +197,25 @@ pub fn axes(
     margin: u16,
     sheet: &mut Sheet,
 ) {
-    let (area, theme) = (sheet.area, sheet.theme);
+    let (area, quiet) = (sheet.area, sheet.theme.quiet());
     let (left, top) = (field.x - area.x, field.y - area.y);
     let bottom = top + field.height;
     axis_lines(field, sheet);
     for (share, label) in up {
         let y = top + along(share, field.height);
-        sheet.put_right((left - 1, y), label, theme.quiet());
-        sheet.put((left - 1, y), "┤", theme.line());
+        sheet.put_right((left - 1, y), label, quiet);
+        sheet.put((left - 1, y), "┤", quiet);
     }
     let mut free = 0;
     for (share, label) in across {
         let (x, wide) = (left + along(share, field.width), width(&label));
         let begin = x.saturating_sub(wide / 2).min(area.width - wide);
-        sheet.put((x, bottom), "┬", theme.line());
+        sheet.put((x, bottom), "┬", quiet);
         if begin >= free && begin + wide + 3 + margin <= area.width {
-            free = sheet.put((begin, bottom + 1), label, theme.quiet()) + 1;
+            free = sheet.put((begin, bottom + 1), label, quiet) + 1;
         }
     }
-    sheet.put_right((area.width - margin, bottom + 1), "ms", theme.quiet());
+    sheet.put_right((area.width - margin, bottom + 1), "ms", quiet);
 }
 
 /// The lines of two axes, at the left of a field and below it.
@@ -252,31 +223,27 @@ pub fn axis_lines(field: Rect, sheet: &mut Sheet) {
     let theme = sheet.theme;
     let place = Rect::new(field.x - 1, field.y, field.width + 1, field.height + 1);
     let lines = Block::new().borders(Borders::LEFT | Borders::BOTTOM);
-    lines.border_style(theme.line()).render(place, sheet.buffer);
+    lines.border_style(theme.quiet()).render(place, sheet.buffer);
 }
 
 /// A tick's number without needless zeros.
-fn tick_label(value: f64) -> String {
+pub fn tick_label(value: f64) -> String {
     let text = significant(value);
-    if text.contains('.') && !text.contains('e') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
+    if text.contains('e') || !text.contains('.') {
+        return text;
     }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// Round numbers between two bounds, about so many.
-fn ticks(low: f64, high: f64, count: usize) -> Vec<f64> {
-    let raw = (high - low) / count as f64;
+fn ticks(low: f64, high: f64, count: u16) -> Vec<f64> {
+    let raw = (high - low) / f64::from(count);
     if !(raw.is_finite() && raw > 0.0) {
         return Vec::new();
     }
     let power = 10f64.powf(raw.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|m| m * power)
-        .find(|step| *step >= raw * 0.999)
-        .unwrap_or(10.0 * power);
+    let mut round = [1.0, 2.0, 5.0].into_iter().map(|m| m * power);
+    let step = round.find(|step| *step >= raw * 0.999).unwrap_or(10.0 * power);
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()

@@ -1,16 +1,14 @@
 //! The eye at one moment: its anatomy, or its mesh in lines or nodes coloured by force, with orbit,
 //! arc and arrow of the blow.
 //!
-//! Parts are told apart by pattern as well as by colour: the orbit and the shell are solid, the
-//! retina is double, the lens solid, the inside dotted and fat dotted thinly. What is hot is
-//! solid.
+//! Parts are told apart by pattern as well as by colour: orbit, shell, lens and what is hot are
+//! solid, the retina is double, the inside dotted and fat dotted thinly.
 
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::{Color, Style};
+use ratatui::style::Color;
 
-use crate::answer::solve::Answer;
 use crate::report::picture::field::TissueField;
 use crate::report::picture::{Part, object_sides};
 use crate::run::drawing::{Drawing, Line};
@@ -20,7 +18,7 @@ use crate::scenario::direction::{place, upper};
 use crate::scenario::{Impact, Scenario};
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::{picture::Anatomical, picture::window::Window, projection::Projection};
+use crate::tui::view::{picture::Anatomical, picture::window::Window};
 use crate::tui::view::{sheet::Sheet, text::width, theme::Theme};
 use crate::tui::{clock::MeshDetail, look::Look, model::AppModel, shown::ShownAnswer};
 
@@ -28,18 +26,19 @@ use crate::tui::{clock::MeshDetail, look::Look, model::AppModel, shown::ShownAns
 const ARROW_M: (f64, f64) = (19.0e-3, 13.6e-3);
 const ARC_M: f64 = 13.0e-3;
 
-/// From so many columns on a picture says which way is which.
-const NAMED: u16 = 14;
 /// What lies at the top of a section that nothing turns.
 const UP: &str = "up";
-/// Times this close are one, in s.
-const SAME_TIME: f64 = 1e-9;
 
 /// Ranks of what lies over what.
 const COLD: u8 = 1;
 const STRUCTURE: u8 = 2;
 const HOT: u8 = 10;
 const BLOW: u8 = 30;
+
+/// The dots of a node: of a cold one the first, of a warm one four, of a hot one all.
+const WARM: [(i32, i32); 4] = [(0, 0), (1, 0), (0, 1), (1, 1)];
+const HOTTER: [(i32, i32); 8] =
+    [(-1, 0), (-1, 1), (2, 0), (2, 1), (0, -1), (1, -1), (0, 2), (1, 2)];
 
 /// What is drawn.
 #[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
@@ -83,7 +82,8 @@ impl<'a> EyePicture<'a> {
             blow: None,
             aiming: false,
             playing: model.clock.playing,
-            lean: model.is_lean(),
+            // Few bytes while it moves over a slow link.
+            lean: model.slow_link && model.clock.playing,
             front: false,
             look: model.look,
         }
@@ -93,24 +93,20 @@ impl<'a> EyePicture<'a> {
     pub fn draw(&self, area: Rect, buffer: &mut Buffer) {
         let sheet = &mut Sheet::new(buffer, area, self.look);
         let theme = sheet.theme;
-        let Some(frame) = frame_at(&self.shown.answer, self.time) else {
-            return;
-        };
+        let frames = &self.shown.answer.run.frames;
+        let Some(frame) = frames.get(nearest(frames, self.time)) else { return };
         if let (MeshDetail::Anatomy, Some(field)) = (self.detail, self.field) {
-            let scene = self;
-            Anatomical { scene, frame, field }.draw(sheet);
+            Anatomical { scene: self, frame, field }.draw(sheet);
             if self.front {
                 return;
             }
             // An object shows by itself where it comes from.
             if self.aiming || self.shown.drawing.object.is_none() {
                 let mut raster = Raster::new(area, self.look.symbols);
-                let (columns, rows) = raster.size();
+                let (across, down) = raster.grain();
                 let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
                 let dot = |at| {
                     let (x, y) = window.cell(at);
-                    let (across, down) =
-                        (columns / i32::from(area.width), rows / i32::from(area.height));
                     let below = f64::from(field.y - area.y);
                     (x * f64::from(across), (y + below) * f64::from(down))
                 };
@@ -125,33 +121,19 @@ impl<'a> EyePicture<'a> {
             return;
         }
         let mut raster = Raster::new(area, self.look.symbols);
-        let projection = Projection::new(&raster, self.shown.drawing.reach);
-        let thresholds = thresholds(self.largest, theme.heat_steps());
-        let picture = Picture {
-            scene: self,
-            drawing: &self.shown.drawing,
-            frame,
-            thresholds: &thresholds,
-            theme,
-            projection: &projection,
-        };
+        let picture = Picture::new(self, frame, theme, &raster);
         picture.springs(&mut raster);
         if self.detail == MeshDetail::Nodes {
             picture.nodes(&mut raster);
         }
-        picture.loaded_arc(&mut raster);
-        picture.projectile(&mut raster);
-        let mut signs = Vec::new();
+        picture.blow(&mut raster);
+        self.arrow(theme, &mut raster, |at| picture.dot(at));
+        raster.paint(sheet.buffer);
         if theme.is_mono() {
-            signs.extend(picture.digits(&raster));
+            picture.digits(&raster, sheet.buffer);
         }
         if !self.lean {
-            signs.extend(picture.monitors(&raster));
-        }
-        self.arrow(theme, &mut raster, |at| projection.dot(at.x, at.y));
-        raster.paint(sheet.buffer);
-        for (at, sign, style) in signs {
-            sheet.buffer[at].set_char(sign).set_style(style);
+            picture.monitors(&raster, sheet.buffer);
         }
         directions(self.up(), sheet);
     }
@@ -183,10 +165,7 @@ impl<'a> EyePicture<'a> {
             Impact::Projectile(object) => (object.angle_deg, None),
         };
         let angle = angle.to_radians();
-        let mut style = theme.load();
-        if self.aiming {
-            style = style.patch(theme.strong());
-        }
+        let style = if self.aiming { theme.load().bold() } else { theme.load() };
         let ink = Ink::solid(style, BLOW, '*');
         let (tail, tip) = ARROW_M;
         raster.line(polar(angle, tail), polar(angle, tip), ink);
@@ -203,69 +182,73 @@ impl<'a> EyePicture<'a> {
 /// Which way is which, in the corners that the eye leaves free.
 fn directions(up: &str, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let bottom = area.height.saturating_sub(1);
-    // The last column may be that of a margin.
-    let right = area.width.saturating_sub(5);
-    let words = [("front", 0, bottom), ("back", right, bottom), (up, 0, 0)];
-    if area.width < NAMED {
+    if area.width < 14 || area.height == 0 {
         return;
     }
-    for (word, x, y) in words {
+    // The last column may be that of a margin.
+    let (right, bottom) = (area.width - 5, area.height - 1);
+    for (word, x, y) in [("front", 0, bottom), ("back", right, bottom), (up, 0, 0)] {
         let mut cells = x..x + width(word);
-        let mut free = |x| sheet.cell((x, y)).symbol().trim().is_empty();
-        if area.height > 0 && cells.all(&mut free) {
+        if cells.all(|x| sheet.cell((x, y)).symbol().trim().is_empty()) {
             sheet.put((x, y), word, theme.quiet());
         }
     }
 }
 
 /// The angle in radians of a blow from the direction of a cell, where the eye is drawn in `area`.
-pub fn angle_at(
-    area: Rect,
-    shown: &ShownAnswer,
-    look: Look,
-    detail: MeshDetail,
-    (x, y): (u16, u16),
-) -> f64 {
-    let middle = (f64::from(x) - f64::from(area.x) + 0.5, f64::from(y) - f64::from(area.y) + 0.5);
-    if detail == MeshDetail::Anatomy {
-        let (window, field) = Window::within(area, &shown.drawing, look.symbols);
-        let at = window.place((middle.0, middle.1 - f64::from(field.y - area.y)));
+pub fn angle_at(area: Rect, model: &AppModel, shown: &ShownAnswer, at: (u16, u16)) -> f64 {
+    let along = |cell: u16, first: u16| f64::from(cell) - f64::from(first) + 0.5;
+    let (x, y) = (along(at.0, area.x), along(at.1, area.y));
+    if model.clock.detail(shown.drawing.object.is_some()) == MeshDetail::Anatomy {
+        let (window, field) = Window::within(area, &shown.drawing, model.look.symbols);
+        let at = window.place((x, y - f64::from(field.y - area.y)));
         return at.y.atan2(-at.x);
     }
-    let raster = Raster::new(area, look.symbols);
-    let (columns, rows) = raster.size();
-    // How much is shown makes no difference to an angle.
-    let projection = Projection::new(&raster, (1.0, 1.0));
-    let dots = |at: f64, dots: i32, cells: u16| at * f64::from(dots) / f64::from(cells.max(1));
-    let across = dots(middle.0, columns, area.width) - projection.centre.0;
-    let down = dots(middle.1, rows, area.height) - projection.centre.1;
-    (-down / projection.scale.1).atan2(-across / projection.scale.0)
+    // A cell is twice as high as wide.
+    let (right, down) = (x - f64::from(area.width) / 2.0, y - f64::from(area.height) / 2.0);
+    (-2.0 * down).atan2(-right)
 }
-
-/// The frame nearest to a time.
-pub fn frame_at(answer: &Answer, time: f64) -> Option<&Frame> {
-    let frames = &answer.run.frames;
-    frames.get(nearest(frames, time))
-}
-
-/// A sign in the cell of a place.
-type Sign = ((u16, u16), char, Style);
 
 struct Picture<'a> {
     scene: &'a EyePicture<'a>,
     drawing: &'a Drawing,
     frame: &'a Frame,
-    thresholds: &'a [f64],
+    thresholds: Vec<f64>,
     theme: Theme,
-    projection: &'a Projection,
+    /// From metres to dots.
+    centre: (f64, f64),
+    scale: (f64, f64),
+    /// Whether cold fat would only blur the picture.
+    is_small: bool,
 }
 
-impl Picture<'_> {
+impl<'a> Picture<'a> {
+    fn new(scene: &'a EyePicture, frame: &'a Frame, theme: Theme, raster: &Raster) -> Self {
+        let drawing = &scene.shown.drawing;
+        let thresholds = thresholds(scene.largest, theme.heat_steps());
+        let (width, height) = raster.size();
+        let (width, height) = (f64::from(width), f64::from(height));
+        // Height of a dot over its width, taking a cell to be twice as high as wide.
+        let (across, down) = raster.grain();
+        let aspect = 2.0 * f64::from(across) / f64::from(down);
+        let (wide, high) = drawing.reach;
+        let scale = ((width - 1.0) / 2.0 / wide).min((height - 1.0) * aspect / 2.0 / high);
+        let is_small = scale * wide < 32.0;
+        let (centre, scale) = ((width / 2.0, height / 2.0), (scale, scale / aspect));
+        Self { scene, drawing, frame, thresholds, theme, centre, scale, is_small }
+    }
+
+    /// In whole parts of a dot: what lies on the axis, between two rows of dots, stays in one of
+    /// them whatever the round-off of its place, from frame to frame and from machine to machine.
+    fn dot(&self, at: Point2<f64>) -> (f64, f64) {
+        const PARTS: f64 = 256.0;
+        let whole = |dots: f64| (dots * PARTS).round() / PARTS;
+        (whole(self.centre.0 + at.x * self.scale.0), whole(self.centre.1 - at.y * self.scale.1))
+    }
+
     fn place(&self, node: usize) -> (f64, f64) {
         let zoom = f64::from(self.scene.zoom);
-        let moved = self.drawing.place(self.frame, node, zoom);
-        self.projection.dot(moved.x, moved.y)
+        self.dot(self.drawing.place(self.frame, node, zoom))
     }
 
     fn force(&self, node: usize) -> f64 {
@@ -284,9 +267,9 @@ impl Picture<'_> {
                 Region::Orbit => 0,
                 // On a slow link the outline keeps its colours: recolouring it is most of a frame.
                 _ if outline && self.scene.lean => 0,
-                _ => step_of(force, self.thresholds),
+                _ => step_of(force, &self.thresholds),
             };
-            if step == 0 && region == Region::Fat && self.projection.is_small() {
+            if step == 0 && region == Region::Fat && self.is_small {
                 continue;
             }
             // Hot springs change from frame to frame, so on a slow link only the hottest are sent.
@@ -295,20 +278,16 @@ impl Picture<'_> {
             }
             let (from, to) = (self.place(a), self.place(b));
             raster.line(from, to, self.ink(region, step));
+            // The retina lies inside the shell; a second line there tells it from the rest.
             if region == Region::Retina {
-                self.second_line(raster, from, to, step);
+                let inwards = |(x, y): (f64, f64)| {
+                    let (dx, dy) = (self.centre.0 - x, self.centre.1 - y);
+                    let length = dx.hypot(dy).max(1.0);
+                    (x + dx / length, y + dy / length)
+                };
+                raster.line(inwards(from), inwards(to), self.ink(region, step));
             }
         }
-    }
-
-    /// The retina lies inside the shell; a second line there tells it from the rest.
-    fn second_line(&self, raster: &mut Raster, from: (f64, f64), to: (f64, f64), step: usize) {
-        let inwards = |(x, y): (f64, f64)| {
-            let (dx, dy) = (self.projection.centre.0 - x, self.projection.centre.1 - y);
-            let length = dx.hypot(dy).max(1.0);
-            (x + dx / length, y + dy / length)
-        };
-        raster.line(inwards(from), inwards(to), self.ink(Region::Retina, step));
     }
 
     fn ink(&self, region: Region, step: usize) -> Ink {
@@ -332,93 +311,64 @@ impl Picture<'_> {
             if node.region == Region::Orbit || !node.coarse {
                 continue;
             }
-            let step = step_of(self.force(i), self.thresholds);
+            let step = step_of(self.force(i), &self.thresholds);
             let (x, y) = self.place(i);
             let ink = self.ink(node.region, step);
-            let (x, y) = (x.floor() as i32, y.floor() as i32);
-            raster.dot(x, y, ink);
             // The hotter, the larger. Without colours a digit takes the place of the dot.
-            if self.theme.is_mono() {
-                continue;
-            }
-            if step > 0 {
-                raster.dot(x + 1, y, ink);
-                raster.dot(x, y + 1, ink);
-                raster.dot(x + 1, y + 1, ink);
-            }
-            if step > self.thresholds.len() / 2 {
-                for (dx, dy) in [(-1, 0), (-1, 1), (2, 0), (2, 1), (0, -1), (1, -1), (0, 2), (1, 2)]
-                {
-                    raster.dot(x + dx, y + dy, ink);
-                }
+            let dots = match step {
+                0 => 1,
+                _ if self.theme.is_mono() => 1,
+                step if step > self.thresholds.len() / 2 => WARM.len() + HOTTER.len(),
+                _ => WARM.len(),
+            };
+            for (dx, dy) in WARM.into_iter().chain(HOTTER).take(dots) {
+                raster.dot(x.floor() as i32 + dx, y.floor() as i32 + dy, ink);
             }
         }
     }
 
-    /// Without colours, the steps of the hotter nodes as digits, the hottest last; of all nodes
-    /// where only nodes are drawn.
-    fn digits(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
+    /// The steps of the hotter nodes as digits, the hottest last; of all if only nodes are drawn.
+    fn digits(&self, raster: &Raster, buffer: &mut Buffer) {
         let least = match self.scene.detail {
             MeshDetail::Nodes => 1,
             MeshDetail::Edges | MeshDetail::Anatomy => self.thresholds.len() / 2 + 1,
         };
-        let nodes = self.drawing.nodes.iter().enumerate();
-        let mut digits: Vec<_> = nodes
-            .filter_map(|(i, node)| {
-                let step = step_of(self.force(i), self.thresholds);
-                let (x, y) = self.place(i);
-                let at = raster.cell(x, y)?;
-                (step >= least && node.region != Region::Orbit).then_some((at, step))
-            })
-            .collect();
-        digits.sort_by_key(|(_, step)| *step);
-        let sign = |(at, step)| (at, heat_glyph(step), self.theme.heat(step));
-        digits.into_iter().map(sign)
-    }
-
-    /// The nodes whose forces are shown, by the first letter of their names; the one that has its
-    /// peak now in reverse.
-    fn monitors(&self, raster: &Raster) -> impl Iterator<Item = Sign> {
-        let forces =
-            [Quantity::ForceCentre, Quantity::ForceFront, Quantity::ForceRight, Quantity::ForceTop];
-        let mark = move |(node, of): (&usize, Quantity)| {
-            let (x, y) = self.place(*node);
-            let letter = of.row().short.chars().next()?.to_ascii_uppercase();
-            let peak = self.scene.shown.answer.peak(of)?;
-            let style = if (peak.time - self.scene.time).abs() < SAME_TIME {
-                self.theme.focus()
-            } else {
-                self.theme.strong()
-            };
-            Some((raster.cell(x, y)?, letter, style))
-        };
-        let nodes = self.drawing.monitors.iter().zip(forces);
-        nodes.filter_map(mark)
-    }
-
-    /// The object as the anatomy has it.
-    fn projectile(&self, raster: &mut Raster) {
-        let sides = object_sides(self.drawing, self.frame);
-        let ink = Ink::solid(Style::new().fg(self.theme.part(Part::Object, 0)), BLOW, 'o');
-        for [from, to] in sides {
-            let dot = |place: Point2<f64>| self.projection.dot(place.x, place.y);
-            raster.line(dot(from), dot(to), ink);
-        }
-    }
-
-    /// While the load acts, the shell under it is drawn in the load's own style.
-    fn loaded_arc(&self, raster: &mut Raster) {
-        if self.scene.time > self.drawing.loaded_until {
-            return;
-        }
-        let ink = Ink::solid(self.theme.load(), BLOW, '@');
-        for &(a, b) in &self.drawing.loaded {
-            if a == b {
-                let (x, y) = self.place(a);
-                raster.dot(x.floor() as i32, y.floor() as i32, ink);
-            } else {
-                raster.line(self.place(a), self.place(b), ink);
+        let nodes = &self.drawing.nodes;
+        let inside = (0..nodes.len()).filter(|i| nodes[*i].region != Region::Orbit);
+        let steps = inside.map(|i| (step_of(self.force(i), &self.thresholds), i));
+        let mut hot: Vec<(usize, usize)> = steps.filter(|(step, _)| *step >= least).collect();
+        hot.sort_unstable();
+        for (step, i) in hot {
+            if let Some(at) = raster.cell(self.place(i)) {
+                buffer[at].set_char(heat_glyph(step)).set_style(self.theme.heat(step));
             }
+        }
+    }
+
+    /// The first letters of the nodes whose forces are shown; in reverse where the peak is now.
+    fn monitors(&self, raster: &Raster, buffer: &mut Buffer) {
+        use Quantity::{ForceCentre, ForceFront, ForceRight, ForceTop};
+        let forces = [ForceCentre, ForceFront, ForceRight, ForceTop];
+        for (node, of) in self.drawing.monitors.iter().zip(forces) {
+            let letter = of.row().short.chars().next();
+            let places = (raster.cell(self.place(*node)), self.scene.shown.answer.peak(of));
+            let (Some(letter), (Some(at), Some(peak))) = (letter, places) else { continue };
+            let is_now = (peak.time - self.scene.time).abs() < 1e-9;
+            let style = if is_now { self.theme.focus() } else { self.theme.strong() };
+            buffer[at].set_char(letter.to_ascii_uppercase()).set_style(style);
+        }
+    }
+
+    /// The shell under the load while it acts, and the object as the anatomy has it.
+    fn blow(&self, raster: &mut Raster) {
+        let ink = Ink::solid(self.theme.load(), BLOW, '@');
+        let acts = self.scene.time <= self.drawing.loaded_until;
+        for &(a, b) in self.drawing.loaded.iter().filter(|_| acts) {
+            raster.line(self.place(a), self.place(b), ink);
+        }
+        let ink = Ink::solid(self.theme.part(Part::Object, 0).into(), BLOW, 'o');
+        for [from, to] in object_sides(self.drawing, self.frame) {
+            raster.line(self.dot(from), self.dot(to), ink);
         }
     }
 }

@@ -18,10 +18,7 @@ impl HeatMap {
     /// The other one.
     #[must_use]
     pub fn other(self) -> Self {
-        match self {
-            Self::Hot => Self::Cividis,
-            Self::Cividis => Self::Hot,
-        }
+        if self == Self::Hot { Self::Cividis } else { Self::Hot }
     }
 }
 
@@ -55,12 +52,11 @@ mod tests {
 
     #[test]
     fn heat_doubles_from_step_to_step_up_to_the_largest_force() {
-        assert_eq!(thresholds(73.0, 5), [4.0, 8.0, 16.0, 32.0, 64.0]);
         assert_eq!(thresholds(64.0, 2), [32.0, 64.0]);
         assert_eq!(thresholds(0.0, 2), [0.5, 1.0]);
         let steps = thresholds(73.0, 5);
-        let found: Vec<usize> =
-            [0.0, 3.9, 4.0, 63.0, 73.0].map(|force| step_of(force, &steps)).to_vec();
+        assert_eq!(steps, [4.0, 8.0, 16.0, 32.0, 64.0]);
+        let found = [0.0, 3.9, 4.0, 63.0, 73.0].map(|force| step_of(force, &steps));
         assert_eq!(found, [0, 0, 1, 4, 5]);
     }
 }

@@ -1,7 +1,7 @@
-//! What pictures are made of, whichever screen draws them: text, charts, the eye, lists and
-//! questions in front. All of it draws with Unicode.
+//! What pictures of any screen are made of: text, charts, the eye, lists and questions in front.
 
-pub mod changing;
+use ratatui::layout::Rect;
+
 pub mod chart;
 pub mod eye;
 pub mod footer;
@@ -9,16 +9,12 @@ pub mod fundus;
 pub mod heat;
 pub mod overlay;
 pub mod palette;
-pub mod picker;
 pub mod picture;
-pub mod popup;
-mod projection;
 pub mod raster;
 pub mod risks;
 pub mod sheet;
 pub mod text;
 pub mod theme;
-pub mod threshold;
 
 /// The smallest screen that shows anything but a request for a larger one.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -27,6 +23,6 @@ pub const SMALLEST: (u16, u16) = (60, 20);
 pub const PURPOSE: &str = "Research and education, not diagnosis";
 
 /// What is left of an area below its first rows.
-pub fn below(area: ratatui::layout::Rect, rows: u16) -> ratatui::layout::Rect {
-    ratatui::layout::Rect { y: area.y + rows, height: area.height.saturating_sub(rows), ..area }
+pub fn below(area: Rect, rows: u16) -> Rect {
+    Rect { y: area.y + rows, height: area.height.saturating_sub(rows), ..area }
 }

@@ -29,20 +29,17 @@ impl Ground {
     /// Whether it is light. Some terminals say so in `COLORFGBG`, whose last part is the ground's
     /// place among the sixteen colours.
     pub fn is_light(self, env: impl Fn(&str) -> Option<String>) -> bool {
-        let told = || {
-            let behind = env("COLORFGBG")?.rsplit(';').next()?.parse::<u8>().ok()?;
-            Some(behind == 7 || behind > 8)
-        };
         match self {
-            Self::Auto => told().unwrap_or(false),
+            Self::Auto => env("COLORFGBG")
+                .and_then(|told| told.rsplit(';').next()?.parse().ok())
+                .is_some_and(|behind: u8| behind == 7 || behind > 8),
             Self::Dark => false,
             Self::Light => true,
         }
     }
 }
 
-/// A colour by its place among the 256, the first of which are the [`SIXTEEN`]; none is left to
-/// the theme, or to the terminal.
+/// A colour by its place among the 256, first the [`SIXTEEN`]; none is the theme's or terminal's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Colour(pub Option<u8>);
 
@@ -52,9 +49,7 @@ const AUTO: &str = "auto";
 impl Colour {
     /// The colour as it is drawn.
     pub fn ink(self) -> Option<Color> {
-        let place = self.0?;
-        let few = SIXTEEN.get(usize::from(place));
-        Some(few.map_or(Color::Indexed(place), |(_, color)| *color))
+        self.0.map(ink)
     }
 
     /// What it may be, in words.
@@ -64,12 +59,17 @@ impl Colour {
     }
 }
 
+/// The colour of a place among the 256, by name where it has one.
+pub fn ink(place: u8) -> Color {
+    SIXTEEN.get(usize::from(place)).map_or(Color::Indexed(place), |(_, color)| *color)
+}
+
 impl Serialize for Colour {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0.map(|place| (place, SIXTEEN.get(usize::from(place)))) {
+        match self.0 {
             None => serializer.serialize_str(AUTO),
-            Some((_, Some((name, _)))) => serializer.serialize_str(name),
-            Some((place, None)) => serializer.serialize_u8(place),
+            Some(few @ ..16) => serializer.serialize_str(SIXTEEN[usize::from(few)].0),
+            Some(place) => serializer.serialize_u8(place),
         }
     }
 }
@@ -79,9 +79,7 @@ impl<'de> Deserialize<'de> for Colour {
         let place = match Value::deserialize(deserializer)? {
             Value::String(word) if word == AUTO => return Ok(Self(None)),
             Value::String(word) => SIXTEEN.iter().position(|(name, _)| *name == word),
-            Value::Number(number) => Some(number.into_f64())
-                .filter(|number| number.fract() == 0.0 && (0.0..=255.0).contains(number))
-                .map(|number| number as usize),
+            Value::Number(number) => (0..256).find(|place| *place as f64 == number.into_f64()),
             _ => None,
         };
         let unknown = || D::Error::invalid_value(Unexpected::Other("value"), &"a colour");
@@ -202,10 +200,9 @@ impl Palette {
     }
 
     /// The steps of heat from the least on, of what can be told apart on the ground.
-    pub fn heat(&self, map: HeatMap, depth: Depth) -> &'static [Color] {
+    pub fn heat(&self, map: HeatMap, depth: Depth) -> &'static [u8] {
         match (depth, map, self.light) {
             (Depth::Sixteen, ..) => &HOT_16,
-
             (Depth::Mono, ..) | (_, HeatMap::Hot, false) => &HOT_DARK,
             (_, HeatMap::Hot, true) => &HOT_LIGHT,
             (_, HeatMap::Cividis, false) => &CIVIDIS_DARK,
@@ -214,36 +211,22 @@ impl Palette {
     }
 }
 
-/// What fills the globe, from low to high: neither red, orange nor white, which are anatomy and
-/// object.
-pub const FIELD: [Color; 11] = indexed([53, 54, 60, 24, 31, 30, 36, 72, 78, 113, 191]);
-/// The same where there are sixteen colours.
-pub const FIELD_16: [Color; 5] =
-    [Color::Black, Color::Blue, Color::Cyan, Color::Green, Color::LightGreen];
+/// What fills the globe, from low to high: not red, orange or white as anatomy and object are.
+pub const FIELD: [u8; 11] = [53, 54, 60, 24, 31, 30, 36, 72, 78, 113, 191];
+/// The same where there are sixteen colours: black, blue, cyan, green and bright green.
+pub const FIELD_16: [u8; 5] = [0, 4, 6, 2, 10];
 
-/// The paper's HOT map from dark red to white.
-const HOT_16: [Color; 5] =
-    [Color::Red, Color::LightRed, Color::Yellow, Color::LightYellow, Color::White];
+/// The paper's HOT map: red, bright red, yellow, bright yellow and bright white.
+const HOT_16: [u8; 5] = [1, 9, 3, 11, 15];
 /// Of the same map, what can be read on black.
-const HOT_DARK: [Color; 7] = indexed([196, 202, 208, 214, 220, 228, 231]);
-/// Of the same map backwards, what can be read on white: the hottest is what stands out most on
-/// both grounds.
-const HOT_LIGHT: [Color; 5] = indexed([160, 124, 88, 52, 16]);
+const HOT_DARK: [u8; 7] = [196, 202, 208, 214, 220, 228, 231];
+/// Of the same map backwards, what can be read on white: on both the hottest stands out most.
+const HOT_LIGHT: [u8; 5] = [160, 124, 88, 52, 16];
 /// The upper half of cividis (Nunez, Anderton and Renslow 2018, doi:10.1371/journal.pone.0199239):
 /// the nearest of the 256 in even steps of lightness.
-const CIVIDIS_DARK: [Color; 5] = indexed([243, 246, 144, 185, 227]);
+const CIVIDIS_DARK: [u8; 5] = [243, 246, 144, 185, 227];
 /// The lower half of the same backwards, from grey to its dark blue.
-const CIVIDIS_LIGHT: [Color; 4] = indexed([242, 239, 236, 17]);
-
-const fn indexed<const N: usize>(places: [u8; N]) -> [Color; N] {
-    let mut colors = [Color::Reset; N];
-    let mut i = 0;
-    while i < N {
-        colors[i] = Color::Indexed(places[i]);
-        i += 1;
-    }
-    colors
-}
+const CIVIDIS_LIGHT: [u8; 4] = [242, 239, 236, 17];
 
 #[cfg(test)]
 mod tests {
@@ -251,16 +234,15 @@ mod tests {
 
     #[test]
     fn a_colour_of_ones_own_counts_where_the_terminal_has_it() {
-        let mut own = Palette::default();
-        own.own.heading = Colour(Some(200));
-        own.own.quiet = Colour(Some(3));
+        let (heading, quiet) = (Colour(Some(200)), Colour(Some(3)));
+        let own = Colours { quiet, heading, ..Colours::default() };
+        let own = Palette { own, ..Palette::default() };
         let (many, few) = (own.colours(Depth::TwoFiveSix), own.colours(Depth::Sixteen));
-        assert_eq!(many.heading.ink(), Some(Color::Indexed(200)));
-        assert_eq!(few.heading.ink(), Some(Color::Cyan));
-        assert_eq!(many.quiet.ink(), Some(Color::Yellow));
-        assert_eq!(few.quiet.ink(), Some(Color::Yellow));
-        assert_eq!(few.fat.ink(), None);
-        assert_eq!(own.colours(Depth::Mono).quiet.ink(), None);
+        let inks = |of: Colours| [of.heading, of.quiet, of.fat].map(Colour::ink);
+        let yellow = Some(Color::Yellow);
+        assert_eq!(inks(many), [Some(Color::Indexed(200)), yellow, Some(Color::Indexed(101))]);
+        assert_eq!(inks(few), [Some(Color::Cyan), yellow, None]);
+        assert_eq!(inks(own.colours(Depth::Mono)), [None; 3]);
     }
 
     #[test]
@@ -268,15 +250,8 @@ mod tests {
         let by = |ground: Ground, told: &str| {
             ground.is_light(|name| (name == "COLORFGBG").then(|| told.to_owned()))
         };
-        for (told, light) in [
-            ("0;15", true),
-            ("0;default;15", true),
-            ("0;7", true),
-            ("15;0", false),
-            ("12;8", false),
-            ("", false),
-        ] {
-            assert_eq!(by(Ground::Auto, told), light, "{told}");
+        for told in ["0;15", "0;default;15", "0;7", "15;0", "12;8", ""] {
+            assert_eq!(by(Ground::Auto, told), told.starts_with("0;"), "{told}");
             assert!(by(Ground::Light, told) && !by(Ground::Dark, told));
         }
     }

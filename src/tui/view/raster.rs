@@ -6,12 +6,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use ratatui::symbols::{braille::BRAILLE, pixel::QUADRANTS};
 
 use crate::tui::terminal::caps::Symbols;
-
-/// Bit 0 upper left, 1 upper right, 2 lower left, 3 lower right.
-pub(crate) const QUADRANTS: [char; 16] =
-    [' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█'];
 
 /// How a dot looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,31 +36,22 @@ impl Ink {
     }
 }
 
-#[derive(Clone, Copy, Default)]
-struct Spot {
-    bits: u8,
-    ink: Option<Ink>,
-}
-
 /// A field of dots over an area of cells.
 pub struct Raster {
     area: Rect,
     symbols: Symbols,
-    spots: Vec<Spot>,
+    /// The dots of each cell, bit by bit from the upper left along the rows, and their ink.
+    spots: Vec<Option<(u8, Ink)>>,
 }
 
 impl Raster {
     /// An empty field over `area`.
     pub fn new(area: Rect, symbols: Symbols) -> Self {
-        Self {
-            area,
-            symbols,
-            spots: vec![Spot::default(); usize::from(area.width) * usize::from(area.height)],
-        }
+        Self { area, symbols, spots: vec![None; area.area() as usize] }
     }
 
     /// Dots across and down a cell.
-    fn grain(&self) -> (i32, i32) {
+    pub fn grain(&self) -> (i32, i32) {
         match self.symbols {
             Symbols::Braille | Symbols::Octant => (2, 4),
             Symbols::Block => (2, 2),
@@ -77,20 +65,13 @@ impl Raster {
         (across * i32::from(self.area.width), down * i32::from(self.area.height))
     }
 
-    /// Height of a dot over its width, taking a cell to be twice as high as wide.
-    pub fn aspect(&self) -> f64 {
-        let (across, down) = self.grain();
-        2.0 * f64::from(across) / f64::from(down)
-    }
-
     /// The cell of the buffer that holds a dot.
-    pub fn cell(&self, x: f64, y: f64) -> Option<(u16, u16)> {
+    pub fn cell(&self, (x, y): (f64, f64)) -> Option<(u16, u16)> {
         let (width, height) = self.size();
         let inside = x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height);
         let (across, down) = self.grain();
-        let column = (x / f64::from(across)) as u16;
-        let row = (y / f64::from(down)) as u16;
-        inside.then_some((self.area.x + column, self.area.y + row))
+        let (column, row) = (x as i32 / across, y as i32 / down);
+        inside.then_some((self.area.x + column as u16, self.area.y + row as u16))
     }
 
     /// Sets a dot; outside the area nothing happens.
@@ -100,19 +81,11 @@ impl Raster {
             return;
         }
         let (across, down) = self.grain();
-        let (column, row) = (x / across, y / down);
-        let (dx, dy) = (x % across, y % down);
-        let bit = match self.symbols {
-            Symbols::Braille | Symbols::Octant if dy == 3 => 0x40 << dx,
-            Symbols::Braille | Symbols::Octant => 1 << (dy + 3 * dx),
-            Symbols::Block => 1 << (2 * dy + dx),
-            Symbols::Ascii => 1,
-        };
-        let index = (row * i32::from(self.area.width) + column) as usize;
-        let spot = &mut self.spots[index];
-        spot.bits |= bit;
-        if spot.ink.is_none_or(|old| old.rank <= ink.rank) {
-            spot.ink = Some(ink);
+        let index = y / down * i32::from(self.area.width) + x / across;
+        let (bits, kept) = self.spots[index as usize].get_or_insert((0, ink));
+        *bits |= 1 << (y % down * across + x % across);
+        if kept.rank <= ink.rank {
+            *kept = ink;
         }
     }
 
@@ -132,27 +105,22 @@ impl Raster {
             let y = (from.1 + dy * s).floor() as i32;
             // Gaps follow the place, not the line, so that short lines in a row look like one.
             let along = if dx.abs() >= dy.abs() { x } else { y };
-            if along.rem_euclid(i32::from(ink.every)) != 0 {
-                continue;
+            if along.rem_euclid(i32::from(ink.every)) == 0 {
+                self.dot(x, y, ink);
             }
-            self.dot(x, y, ink);
         }
     }
 
     /// Puts the dots into the cells; cells without dots stay as they are.
     pub fn paint(&self, buffer: &mut Buffer) {
-        for (i, spot) in self.spots.iter().enumerate() {
-            let Some(ink) = spot.ink else { continue };
-            let wide = usize::from(self.area.width);
+        for (place, spot) in self.area.positions().zip(&self.spots) {
+            let &Some((bits, ink)) = spot else { continue };
             let symbol = match self.symbols {
-                Symbols::Braille | Symbols::Octant => {
-                    char::from_u32(0x2800 + u32::from(spot.bits)).unwrap_or(' ')
-                }
-                Symbols::Block => QUADRANTS[usize::from(spot.bits & 15)],
+                Symbols::Braille | Symbols::Octant => BRAILLE[usize::from(bits)],
+                Symbols::Block => QUADRANTS[usize::from(bits)],
                 Symbols::Ascii => ink.glyph,
             };
-            let (x, y) = (self.area.x + (i % wide) as u16, self.area.y + (i / wide) as u16);
-            buffer[(x, y)].set_char(symbol).set_style(ink.style);
+            buffer[place].set_char(symbol).set_style(ink.style);
         }
     }
 }
@@ -162,14 +130,12 @@ mod tests {
     use super::*;
     use ratatui::style::Color;
 
-    fn drawn(symbols: Symbols, draw: impl FnOnce(&mut Raster)) -> String {
-        let area = Rect::new(0, 0, 2, 1);
-        let mut raster = Raster::new(area, symbols);
+    fn drawn(symbols: Symbols, draw: impl FnOnce(&mut Raster)) -> Buffer {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 2, 1));
+        let mut raster = Raster::new(buffer.area, symbols);
         draw(&mut raster);
-        let mut buffer = Buffer::empty(area);
         raster.paint(&mut buffer);
-        let signs = buffer.content.iter();
-        signs.map(ratatui::buffer::Cell::symbol).collect()
+        buffer
     }
 
     fn ink(rank: u8, colour: Color) -> Ink {
@@ -178,37 +144,36 @@ mod tests {
 
     #[test]
     fn dots_land_where_the_symbols_have_them() {
-        let corner = |symbols| {
-            drawn(symbols, |raster| {
+        for (symbols, corners) in [
+            (Symbols::Braille, ["⠁", "⢀"]),
+            (Symbols::Block, ["▘", "▗"]),
+            (Symbols::Ascii, ["#", "#"]),
+        ] {
+            let buffer = drawn(symbols, |raster| {
                 let (width, height) = raster.size();
-                raster.dot(0, 0, ink(0, Color::Red));
-                raster.dot(width - 1, height - 1, ink(0, Color::Red));
-                raster.dot(width, 0, ink(0, Color::Red));
-                raster.dot(-1, 0, ink(0, Color::Red));
-            })
-        };
-        assert_eq!(corner(Symbols::Braille), "⠁⢀");
-        assert_eq!(corner(Symbols::Block), "▘▗");
-        assert_eq!(corner(Symbols::Ascii), "##");
+                for (x, y) in [(0, 0), (width - 1, height - 1), (width, 0), (-1, 0)] {
+                    raster.dot(x, y, ink(0, Color::Red));
+                }
+            });
+            assert_eq!([buffer[(0, 0)].symbol(), buffer[(1, 0)].symbol()], corners);
+        }
     }
 
     #[test]
     fn the_highest_rank_owns_the_cell() {
-        let area = Rect::new(0, 0, 1, 1);
-        let mut raster = Raster::new(area, Symbols::Braille);
-        raster.dot(0, 0, ink(5, Color::Red));
-        raster.dot(1, 3, ink(1, Color::Blue));
-        let mut buffer = Buffer::empty(area);
-        raster.paint(&mut buffer);
+        let buffer = drawn(Symbols::Braille, |raster| {
+            raster.dot(0, 0, ink(5, Color::Red));
+            raster.dot(1, 3, ink(1, Color::Blue));
+        });
         assert_eq!(buffer[(0, 0)].fg, Color::Red);
     }
 
     #[test]
     fn a_line_to_nowhere_is_not_drawn() {
-        let text = drawn(Symbols::Ascii, |raster| {
+        let buffer = drawn(Symbols::Ascii, |raster| {
             raster.line((0.0, 0.0), (f64::NAN, 1.0), ink(0, Color::Red));
             raster.line((0.0, 0.0), (1e30, 1.0), ink(0, Color::Red));
         });
-        assert_eq!(text, "  ");
+        assert_eq!(buffer, Buffer::empty(buffer.area));
     }
 }

@@ -1,8 +1,5 @@
 //! The risks of an answer: a row an injury, what each rests on, what limits them, and the signs
-//! that count more.
-//!
-//! The words and figures are those of [`Risk`] everywhere; here they are only fitted into the room
-//! that there is.
+//! that count more. The words are those of [`Risk`], fitted into the room that there is.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -28,10 +25,8 @@ pub const SIGN_ROWS: u16 = 2;
 /// The signs that need an eye doctor, in the longest words that fit into [`SIGN_ROWS`].
 pub fn signs(room: u16) -> Vec<String> {
     let [short, shortest] = SHORT_SIGNS;
-    let texts = [SIGNS, short].map(|text| wrapped(text, room.into()));
-    let fits = |lines: &Vec<String>| lines.len() <= SIGN_ROWS.into();
-    let long = texts.into_iter().find(fits);
-    long.unwrap_or_else(|| wrapped(shortest, room.into()))
+    let fits = |text: &&str| wrapped(text, room.into()).len() <= SIGN_ROWS.into();
+    wrapped([SIGNS, short].into_iter().find(fits).unwrap_or(shortest), room.into())
 }
 
 /// Whether finer meshes and inputs are still to come, which widen the ranges.
@@ -49,19 +44,14 @@ pub fn counting(model: &AppModel, answer: &Answer) -> Option<String> {
 /// An injury and what is said of it, in the longest words that there is room for.
 pub fn longest(risk: &Risk, room: usize) -> String {
     let (name, word, percent) = (risk.injury.name(), risk.injury.word(), risk.percent());
-    let mut forms = risk.forms();
-    forms.truncate(3);
-    let others = if risk.bursts() { ", others too" } else { "" };
-    let short = format!("{}{others}", forms[2]);
-    if risk.bursts() {
-        for form in &mut forms {
-            form.extend(["; ", BURST]);
-        }
-    }
-    let mut texts: Vec<String> = forms.iter().map(|form| format!("{name}: {form}")).collect();
+    let forms = risk.forms();
+    let (others, burst) =
+        if risk.bursts() { (", others too", format!("; {BURST}")) } else { ("", String::new()) };
+    let long = forms.iter().take(3).map(|form| format!("{name}: {form}{burst}"));
+    let mut texts: Vec<String> = long.collect();
     texts.extend([
-        format!("{name}: {short}"),
-        format!("{word}: {short}"),
+        format!("{name}: {}{others}", forms[2]),
+        format!("{word}: {}{others}", forms[2]),
         format!("{name}: {percent}{others}"),
         format!("{word}: {percent}{others}"),
     ]);
@@ -74,31 +64,16 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
     let half = with_unit(&digits(risk.injury.curve().half * row.factor, 2), row.unit);
-    let texts = [
-        format!("{} {felt}; half of all eyes are hurt at {half}", row.label),
-        format!("{} {felt}; half are hurt at {half}", row.label),
-        format!("{felt}; half are hurt at {half}"),
-    ];
+    let short = format!("{felt}; half are hurt at {half}");
+    let long = format!("{} {felt}; half of all eyes are hurt at {half}", row.label);
+    let texts = [long, format!("{} {short}", row.label), short];
     longest_fitting(&texts, room).to_owned()
 }
 
 /// How what is said of an injury stands in columns: where its word begins, and where its middle,
 /// its range and the BB end.
-struct Columns {
-    word: u16,
-    about: u16,
-    range: u16,
-    like: u16,
-}
-
-const NARROW: Columns = Columns { word: 14, about: 34, range: 43, like: 50 };
-const BROAD: Columns = Columns { word: 20, about: 51, range: 60, like: 70 };
-
-impl Columns {
-    fn of(wide: u16) -> Option<Self> {
-        [BROAD, NARROW].into_iter().find(|columns| columns.like <= wide)
-    }
-}
+const NARROW: [u16; 4] = [14, 34, 43, 50];
+const BROAD: [u16; 4] = [20, 51, 60, 70];
 
 /// An injury's name of at most 13 letters.
 fn short_name(injury: Injury) -> &'static str {
@@ -113,9 +88,7 @@ fn short_name(injury: Injury) -> &'static str {
 
 /// What is said in words, in signs.
 fn in_signs(text: &str) -> String {
-    [("at least ", "≥"), ("under ", "<"), ("over ", ">")]
-        .into_iter()
-        .fold(text.to_owned(), |text, (words, sign)| text.replace(words, sign))
+    text.replace("at least ", "≥").replace("under ", "<").replace("over ", ">")
 }
 
 /// The fewest columns of a bar.
@@ -130,23 +103,19 @@ pub fn rows(
 ) {
     // The mark of the chosen one stands before its name.
     let mark = u16::from(chosen.is_some());
-    let area =
-        Rect { x: sheet.area.x + mark, width: sheet.area.width.saturating_sub(mark), ..sheet.area };
-    let sheet = &mut sheet.at(area);
-    let theme = sheet.theme;
+    let (wide, high) = (sheet.area.width.saturating_sub(mark), sheet.area.height);
+    let sheet = &mut sheet.part((mark, 0), (wide, high));
+    let (area, theme) = (sheet.area, sheet.theme);
     sheet.put((0, 0), heading, style);
-    let columns = Columns::of(area.width);
-    let bar = columns.as_ref().map_or(0, |columns| columns.like + 2);
+    let columns = [BROAD, NARROW].into_iter().find(|columns| columns[3] <= area.width);
+    let tight = columns == Some(NARROW);
+    let bar = columns.map_or(0, |[.., like]| like + 2);
     let bar = Rect { x: area.x + bar, width: area.width.saturating_sub(bar + 1), ..area };
     let with_bar = columns.is_some() && bar.width >= SHORTEST;
-    let tight = columns.as_ref().is_some_and(|columns| columns.word == NARROW.word);
-    if let Some(columns) = &columns {
-        for (right, text) in [
-            (columns.about, "about"),
-            (columns.range, "range"),
-            (columns.like, if tight { "BB m/s" } else { "like a BB" }),
-        ] {
-            sheet.put_right((right, 0), text, theme.quiet());
+    if let Some([_, ends @ ..]) = columns {
+        let heads = ["about", "range", if tight { "BB m/s" } else { "like a BB" }];
+        for (right, head) in ends.into_iter().zip(heads) {
+            sheet.put_right((right, 0), head, theme.quiet());
         }
     }
     if with_bar {
@@ -161,39 +130,36 @@ pub fn rows(
         if here {
             sheet.buffer[(area.x - 1, area.y + y)].set_char('▸').set_style(theme.strong());
         }
-        let Some(columns) = &columns else {
+        let Some([word, about, range, like]) = columns else {
             let said = longest(risk, usize::from(area.width));
-            let end = said.split(':').next().unwrap_or_default();
             sheet.put((0, y), &said, style);
-            sheet.put((0, y), end, name);
+            sheet.put((0, y), said.split(':').next().unwrap_or_default(), name);
             continue;
         };
-        let (own, word) = if tight {
-            let word = risk.word().replace(" to almost certain", "-certain");
-            (short_name(risk.injury), word.replace(" to ", "-"))
+        let (own, said) = if tight {
+            let said = risk.word().replace(" to almost certain", "-certain");
+            (short_name(risk.injury), said.replace(" to ", "-"))
         } else {
             (risk.injury.name(), risk.word())
         };
         sheet.put((0, y), own, name);
-        sheet.put((columns.word, y), &word, style);
-        sheet.put_right((columns.range, y), in_signs(&risk.percent()), style);
+        sheet.put((word, y), &said, style);
+        sheet.put_right((range, y), in_signs(&risk.percent()), style);
         if risk.usable {
-            let about = in_signs(&whole(risk.risk));
-            sheet.put_right((columns.about, y), &about, theme.text());
-            let like = match risk.equivalent {
-                Equivalent::Under(speed) => format!("<{speed:.0}"),
-                Equivalent::At(speed) => format!("{speed:.0}"),
-                Equivalent::Over(speed) => format!(">{speed:.0}"),
+            sheet.put_right((about, y), in_signs(&whole(risk.risk)), theme.text());
+            let (sign, speed) = match risk.equivalent {
+                Equivalent::Under(speed) => ("<", speed),
+                Equivalent::At(speed) => ("", speed),
+                Equivalent::Over(speed) => (">", speed),
             };
             let unit = if tight { "" } else { " m/s" };
-            sheet.put_right((columns.like, y), &(like + unit), theme.text());
+            sheet.put_right((like, y), format!("{sign}{speed:.0}{unit}"), theme.text());
         }
         if with_bar {
             draw_bar(risk, &mut sheet.at(below(bar, y)));
         }
         if each > 1 {
-            let felt = felt(answer, risk, area.width - 2);
-            sheet.put((2, y + 1), &felt, theme.quiet());
+            sheet.put((2, y + 1), felt(answer, risk, area.width - 2), theme.quiet());
         }
     }
 }
@@ -202,29 +168,25 @@ pub fn rows(
 fn wider(model: &AppModel, answer: &Answer) -> Option<String> {
     let ensemble = model.ensemble.of(&model.shown.as_ref()?.scenario)?;
     let said = |(injury, band): &(Injury, Band)| {
-        let range = span((band.low / 100.0, band.high / 100.0));
-        format!("{} {range}", injury.word())
+        format!("{} {}", injury.word(), span((band.low / 100.0, band.high / 100.0)))
     };
     let all: Vec<String> = widened(ensemble, answer).iter().map(said).collect();
     (!all.is_empty()).then(|| format!("wider by doubt in the inputs: {}", all.join(", ")))
 }
 
-/// What limits an answer, the gravest first: why it is not usable, what the places of its injuries
-/// mean, what was raised, and what is still to be counted. In short where `rows` are few, and as
-/// much of it as they hold.
+/// What limits an answer, the gravest first: why it is not usable, what was raised, and what is
+/// still to be counted. In short where `rows` are few, and as much of it as they hold.
 pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Vec<String> {
     let (risks, spoiled) = (answer.risks(), unusable(answer));
-    let said = |brief: bool| -> Vec<String> {
-        let mut said: Vec<String> = spoiled.iter().cloned().collect();
-        if model.stale() == Some(FIRST_ESTIMATE) {
-            said.push("as if straight on, with the error of its step alone".to_owned());
-        }
-        if answer.pressed_flat() {
-            said.push("eye pressed flat, flatter than any tested (±?)".to_owned());
-        }
-        if risks.iter().any(Risk::bursts) {
-            said.push(BURST.to_owned());
-        }
+    let (counting, wider) = (counting(model, answer), wider(model, answer));
+    let straight = model.stale() == Some(FIRST_ESTIMATE);
+    let states = [
+        (straight, "as if straight on, with the error of its step alone"),
+        (answer.pressed_flat(), "eye pressed flat, flatter than any tested (±?)"),
+        (risks.iter().any(Risk::bursts), BURST),
+    ];
+    let said = |brief: bool| -> Vec<&str> {
+        let states = states.iter().filter(|(holds, _)| *holds).map(|(_, words)| *words);
         let notes = risks.iter().flat_map(|risk| risk.notes.iter().copied());
         let notes = notes.map(|note| if brief { in_short(note) } else { note });
         // What spoils or ends an answer is said already.
@@ -235,25 +197,22 @@ pub fn limits(model: &AppModel, answer: &Answer, room: usize, rows: usize) -> Ve
         };
         let flags = answer.flags.iter().filter(|flag| !said_already(flag.kind));
         let flags = flags.map(|flag| if brief { flag.kind.words() } else { &flag.message });
-        let counting = counting(model, answer);
-        let wider = wider(model, answer);
         // What still widens the ranges is said before it is cut off.
-        let first = counting.iter().map(String::as_str);
-        let rest = wider.iter().map(String::as_str);
-        for part in first.chain(notes).chain(flags).chain(rest) {
-            if !said.iter().any(|other| other == part) {
-                said.push(part.to_owned());
+        let first = spoiled.as_deref().into_iter().chain(states).chain(counting.as_deref());
+        let mut said = Vec::new();
+        for part in first.chain(notes).chain(flags).chain(wider.as_deref()) {
+            if !said.contains(&part) {
+                said.push(part);
             }
         }
         said
     };
     let (long, brief) = (said(false), said(true));
-    let whole = [long, brief.clone()].map(|said| wrapped(&said.join("; "), room));
-    let fewer = (1..brief.len()).rev();
-    let fewer = fewer.map(|count| wrapped(&(brief[..count].join("; ") + "; F8: more"), room));
-    let mut all = whole.into_iter().chain(fewer);
+    let whole = [long.join("; "), brief.join("; ")].into_iter();
+    let fewer = (1..brief.len()).rev().map(|count| brief[..count].join("; ") + "; F8: more");
+    let mut all = whole.chain(fewer).map(|said| wrapped(&said, room));
     let fitting = all.find(|lines| lines.len() <= rows);
-    fitting.unwrap_or_else(|| wrapped(brief.first().map_or("", String::as_str), room))
+    fitting.unwrap_or_else(|| wrapped(brief.first().unwrap_or(&""), room))
 }
 
 /// The range of a risk from 0 to 100 %, and the risk itself.
@@ -276,7 +235,7 @@ pub fn draw_signs(sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let signs = signs(area.width - 1);
     let top = area.height.saturating_sub(signs.len() as u16);
-    sheet.put_lines((1, top), &signs, theme.heading());
+    sheet.put_lines((1, top), signs, theme.heading());
 }
 
 #[cfg(test)]
@@ -285,17 +244,13 @@ mod tests {
     use crate::injury::{Blow, Known};
     use crate::tui::view::text::width;
 
-    fn risk(injury: Injury, times: f64) -> Risk {
-        let value = times * injury.curve().half;
-        let known = Known { value, ..Known::default() };
-        injury.assess(&Blow::default(), known)
-    }
-
     #[test]
     fn every_risk_has_its_range_in_the_narrowest_place_and_a_burst_globe_the_others() {
         for injury in Injury::ALL {
             for times in [0.01, 0.5, 1.0, 1.5, 2.0, 100.0] {
-                let risk = risk(*injury, times);
+                let value = times * injury.curve().half;
+                let known = Known { value, ..Known::default() };
+                let risk = injury.assess(&Blow::default(), known);
                 for room in 34..120 {
                     let text = longest(&risk, room);
                     assert!(usize::from(width(&text)) <= room, "{text}");

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::plain_text::printable;
-use crate::tui::view::text::{fitted, longest_fitting, width};
+use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
 use crate::tui::{look::Look, view::theme::Theme};
 
 /// The cell that lies at a share of so many, from 0 for the first to 1 for the last.
@@ -26,8 +26,7 @@ pub struct Sheet<'a> {
 impl<'a> Sheet<'a> {
     /// A part of a screen with this look.
     pub fn new(buffer: &'a mut Buffer, area: Rect, look: Look) -> Self {
-        let theme = Theme::of(look);
-        Self { buffer, area, theme }
+        Self { buffer, area, theme: Theme::of(look) }
     }
 
     /// Another part of the screen.
@@ -45,6 +44,13 @@ impl<'a> Sheet<'a> {
         self.part((0, y), (self.area.width, 1))
     }
 
+    /// The part of this place, row by row, of so many columns and rows of one size.
+    pub fn tile(&mut self, place: usize, (columns, rows): (u16, u16)) -> Sheet<'_> {
+        let (column, row) = (place as u16 % columns, place as u16 / columns);
+        let (wide, high) = (self.area.width / columns, self.area.height / rows);
+        self.part((column * wide, row * high), (wide, high))
+    }
+
     /// The cell at a column and row.
     pub fn cell(&mut self, (x, y): (u16, u16)) -> &mut Cell {
         &mut self.buffer[(self.area.x + x, self.area.y + y)]
@@ -56,9 +62,8 @@ impl<'a> Sheet<'a> {
         if y >= area.height || x >= area.width {
             return x;
         }
-        let (at, room) = ((area.x + x, area.y + y), usize::from(area.width - x));
-        let text = printable(text.as_ref());
-        let (end, _) = self.buffer.set_stringn(at.0, at.1, text, room, style);
+        let (text, room) = (printable(text.as_ref()), usize::from(area.width - x));
+        let (end, _) = self.buffer.set_stringn(area.x + x, area.y + y, text, room, style);
         end - area.x
     }
 
@@ -74,14 +79,32 @@ impl<'a> Sheet<'a> {
         }
     }
 
+    /// Writes a text in lines between two margins of `x` columns; gives the row below it.
+    pub fn put_wrapped(&mut self, (x, y): (u16, u16), text: &str, style: Style) -> u16 {
+        let lines = wrapped(text, self.area.width.saturating_sub(2 * x).into());
+        self.put_lines((x, y), &lines, style);
+        y + lines.len() as u16
+    }
+
+    /// Writes the first of some texts that there is room for, or else the last one, cut; gives the
+    /// column after it.
+    pub fn put_longest<T: AsRef<str>>(
+        &mut self,
+        (x, y): (u16, u16),
+        texts: &[T],
+        style: Style,
+    ) -> u16 {
+        let room = self.area.width.saturating_sub(x);
+        self.put((x, y), longest_fitting(texts, room), style)
+    }
+
     /// Writes `text` so that it ends before column `right`.
     pub fn put_right(&mut self, (right, y): (u16, u16), text: impl AsRef<str>, style: Style) {
         let left = right.saturating_sub(width(text.as_ref()));
         self.put((left, y), text, style);
     }
 
-    /// Writes the first heading that there is room for at the left of the first row, or else the
-    /// last one, and, cut to the room that is left, a text at its right.
+    /// Writes the longest heading that fits into the first row beside the text at its right.
     pub fn put_both(&mut self, left: (&[&str], Style), right: (&str, Style)) {
         let wide = self.area.width;
         let beside = wide.saturating_sub(width(right.0) + 4);
@@ -101,10 +124,9 @@ mod tests {
         let mut buffer = Buffer::empty(Rect::new(0, 0, 10, 2));
         let look = Look::new(Depth::Mono, Symbols::Ascii);
         let mut sheet = Sheet::new(&mut buffer, Rect::new(2, 0, 4, 1), look);
-        let style = Style::new();
-        assert_eq!(sheet.put((0, 0), "abcdefgh", style), 4);
-        sheet.put((0, 1), "below", style);
-        sheet.put((9, 0), "right", style);
+        for (at, text, end) in [((0, 0), "abcdefgh", 4), ((0, 1), "below", 0), ((9, 0), "x", 9)] {
+            assert_eq!(sheet.put(at, text, Style::new()), end);
+        }
         assert_eq!(buffer, Buffer::with_lines(["  abcd    ", "          "]));
     }
 }

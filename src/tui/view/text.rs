@@ -1,6 +1,6 @@
 //! Words in cells.
 
-use ratatui::buffer::Buffer;
+use ratatui::buffer::{Buffer, Cell};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::report::format::{self, digits};
@@ -16,25 +16,17 @@ pub fn fitted(text: &str, room: usize) -> String {
     if text.width() <= room {
         return text.to_owned();
     }
-    let mut cut = String::new();
     let mut used = 1;
-    for c in text.chars() {
+    let fits = |c: &char| {
         used += c.width().unwrap_or(0);
-        if used > room {
-            break;
-        }
-        cut.push(c);
-    }
-    if room > 0 {
-        cut.push('…');
-    }
-    cut
+        used <= room
+    };
+    text.chars().take_while(fits).chain((room > 0).then_some('…')).collect()
 }
 
 /// A text in lines of at most so many cells; a word that is longer is cut.
 pub fn wrapped(text: &str, room: usize) -> Vec<String> {
-    let lines = format::wrapped(text, room);
-    lines.iter().map(|line| fitted(line, room)).collect()
+    format::wrapped(text, room).iter().map(|line| fitted(line, room)).collect()
 }
 
 /// The first of some texts that fits, or else the last.
@@ -56,10 +48,7 @@ pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         match lines.last_mut() {
-            Some(line) if width(line) + 2 + width(part) <= room => {
-                line.push_str("  ");
-                line.push_str(part);
-            }
+            Some(line) if width(line) + 2 + width(part) <= room => line.extend(["  ", part]),
             _ => lines.push(fitted(part, usize::from(room))),
         }
     }
@@ -68,10 +57,8 @@ pub fn flowed(parts: &[String], room: u16) -> Vec<String> {
 
 /// A number in so many cells: four digits, or as many as there is room for.
 pub fn numeral(value: f64, room: u16) -> String {
-    let shortest = format!("{value:.0e}");
-    let written = (1..=4).rev().map(|count| digits(value, count));
-    let mut fitting = written.filter(|text| width(text) <= room);
-    fitting.next().unwrap_or(shortest)
+    let mut written = (1..=4).rev().map(|count| digits(value, count));
+    written.find(|text| width(text) <= room).unwrap_or_else(|| format!("{value:.0e}"))
 }
 
 /// The names of flags in so many rows at most; none where there are none.
@@ -100,24 +87,19 @@ pub fn seen(first: usize, shown: usize, all: usize) -> String {
 
 /// Rewrites a finished screen with ASCII alone.
 pub fn to_ascii(buffer: &mut Buffer) {
-    let columns = usize::from(buffer.area.width.max(1));
-    for at in 0..buffer.content.len() {
-        // A plus alone would make a sum of a doubt: the space behind the sign takes the minus.
-        let spaced = (at + 1) % columns > 0 && buffer.content[at + 1].symbol() == " ";
-        if spaced && buffer.content[at].symbol() == "±" {
-            buffer.content[at].set_symbol("+");
-            buffer.content[at + 1].set_symbol("-");
-        }
-        // An error right behind its sign has the space before it.
-        let column = at % columns;
-        if column > 0 && column + 1 < columns && buffer.content[at].symbol() == "±" {
-            let (before, after) =
-                (buffer.content[at - 1].symbol(), buffer.content[at + 1].symbol());
-            if before == " " && after.starts_with(|c: char| c.is_ascii_digit() || "<?".contains(c))
-            {
-                buffer.content[at - 1].set_symbol("+");
-                buffer.content[at].set_symbol("-");
-            }
+    let is_figure = |c: char| c.is_ascii_digit() || "<?".contains(c);
+    for row in buffer.content.chunks_mut(usize::from(buffer.area.width.max(1))) {
+        for at in (0..row.len()).filter(|at| row[*at].symbol() == "±").collect::<Vec<_>>() {
+            let before = at.checked_sub(1).map(|at| row[at].symbol());
+            let after = row.get(at + 1).map(Cell::symbol);
+            // A plus alone would make a sum of a doubt: a space behind or before takes the other.
+            let first = match (before, after) {
+                (_, Some(" ")) => at,
+                (Some(" "), Some(error)) if error.starts_with(is_figure) => at - 1,
+                _ => continue,
+            };
+            row[first].set_symbol("+");
+            row[first + 1].set_symbol("-");
         }
     }
     for cell in &mut buffer.content {
@@ -125,9 +107,7 @@ pub fn to_ascii(buffer: &mut Buffer) {
             text if text.is_ascii() => continue,
             "─" | "━" | "╸" | "╌" | "—" | "▃" | "▄" => "-",
             "│" | "┃" | "▏" | "▎" | "▌" | "▕" => "|",
-            "┌" | "┐" | "└" | "┘" | "├" | "┤" | "┬" | "┴" | "┼" | "╵" | "╷" => {
-                "+"
-            }
+            corner if "┌┐└┘├┤┬┴┼╵╷".contains(corner) => "+",
             "█" | "▓" | "▇" => "#",
             "▒" | "▆" | "▅" | "═" => "=",
             "░" | "▂" | "▁" | "·" => ".",
@@ -164,16 +144,9 @@ mod tests {
 
     #[test]
     fn numbers_give_up_digits_for_room() {
-        for (value, text) in [
-            (26.418_437, "26.42"),
-            (-0.0063, "-0.00630"),
-            (1.016e-13, "1.02e-13"),
-            (-1.016e-13, "-1.0e-13"),
-            (123_456.0, "123456"),
-            (0.0, "0"),
-        ] {
-            assert_eq!(numeral(value, 8), text);
-        }
+        let values = [26.418_437, -0.0063, 1.016e-13, -1.016e-13, 123_456.0, 0.0];
+        let texts = ["26.42", "-0.00630", "1.02e-13", "-1.0e-13", "123456", "0"];
+        assert_eq!(values.map(|value| numeral(value, 8)), texts);
         assert_eq!(numeral(0.000_123_4, 5), "1e-4");
     }
 

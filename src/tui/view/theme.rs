@@ -1,12 +1,12 @@
 //! How each role looks: its colour from the [palette](crate::tui::view::palette), bold where it
 //! must stand out, and without colours bold, dim, underline and reverse alone.
 
-use ratatui::style::{Color, Modifier, Style};
+use ratatui::style::{Color, Style};
 
 use crate::injury::{Risk, gravity};
 use crate::report::picture::Part;
 use crate::run::places::Region;
-use crate::tui::view::palette::{Colour, Colours, FIELD, FIELD_16};
+use crate::tui::view::palette::{Colour, Colours, FIELD, FIELD_16, ink};
 use crate::tui::{look::Look, terminal::caps::Depth};
 
 /// Styles by role.
@@ -17,15 +17,14 @@ pub struct Theme {
     colours: Colours,
 }
 
-const BOLD: Modifier = Modifier::BOLD;
-const DIM: Modifier = Modifier::DIM;
-const REVERSED: Modifier = Modifier::REVERSED;
+const PLAIN: Style = Style::new();
+const BOLD: Style = Style::new().bold();
+const DIM: Style = Style::new().dim();
 
 impl Theme {
     /// The theme of a look.
     pub fn of(look: Look) -> Self {
-        let colours = look.palette.colours(look.depth);
-        Self { look, colours }
+        Self { look, colours: look.palette.colours(look.depth) }
     }
 
     /// Whether there are no colours.
@@ -35,92 +34,72 @@ impl Theme {
 
     /// Plain text.
     pub fn text(self) -> Style {
-        Style::new()
+        PLAIN
     }
 
     /// Text of less weight.
     pub fn quiet(self) -> Style {
         // Over a curve it must not take the curve's colour.
-        let dim = Style::new().fg(Color::Reset).add_modifier(DIM);
-        pick(self.colours.quiet, dim)
+        pick(self.colours.quiet, DIM.fg(Color::Reset))
     }
 
     /// Laid over a result of what was there before the last edit.
     pub fn stale(self) -> Style {
-        Style::new().add_modifier(DIM).remove_modifier(BOLD)
+        DIM.not_bold()
     }
 
     /// A heading.
     pub fn heading(self) -> Style {
-        pick(self.colours.heading, Style::new()).add_modifier(BOLD)
+        pick(self.colours.heading, PLAIN).bold()
     }
 
     /// A value that matters.
     pub fn strong(self) -> Style {
-        Style::new().add_modifier(BOLD)
+        BOLD
     }
 
     /// What has the focus.
     pub fn focus(self) -> Style {
-        Style::new().add_modifier(REVERSED)
+        PLAIN.reversed()
     }
 
     /// Something to beware of.
     pub fn warning(self) -> Style {
-        pick(self.colours.warning, Style::new()).add_modifier(BOLD)
+        pick(self.colours.warning, PLAIN).bold()
     }
 
     /// Something wrong.
     pub fn error(self) -> Style {
-        let mono = Style::new().add_modifier(Modifier::UNDERLINED);
-        pick(self.colours.error, mono).add_modifier(BOLD)
+        pick(self.colours.error, PLAIN.underlined()).bold()
     }
 
     /// The bar at the top and the bottom.
     pub fn bar(self) -> Style {
-        on(self.colours.bar, self.colours.bar_ground).unwrap_or(Style::new().add_modifier(REVERSED))
-    }
-
-    /// Something strong in a bar.
-    pub fn bar_strong(self) -> Style {
-        self.bar().add_modifier(BOLD)
+        on(self.colours.bar, self.colours.bar_ground).unwrap_or(PLAIN.reversed())
     }
 
     /// What is chosen in a bar.
     pub fn bar_chosen(self) -> Style {
         // Where the bar is reversed this is not.
-        let plain = Style::new().remove_modifier(REVERSED);
         let chosen = on(self.colours.chosen, self.colours.chosen_ground);
-        chosen.map_or(plain, |style| plain.patch(style)).add_modifier(BOLD)
-    }
-
-    /// A frame round something, or an axis.
-    pub fn line(self) -> Style {
-        self.quiet()
+        chosen.unwrap_or(PLAIN).not_reversed().bold()
     }
 
     /// The load and its arc.
     pub fn load(self) -> Style {
-        let mono = Style::new().add_modifier(BOLD);
-        pick(self.colours.load, mono)
+        pick(self.colours.load, BOLD)
     }
 
     /// The mark of the present moment.
     pub fn cursor(self) -> Style {
-        let mono = Style::new().add_modifier(BOLD);
-        pick(self.colours.cursor, mono)
+        pick(self.colours.cursor, BOLD)
     }
 
     /// One of several curves.
     pub fn curve(self, index: usize) -> Style {
-        let mono = match index % 3 {
-            0 => Style::new(),
-            1 => Style::new().add_modifier(BOLD),
-            _ => Style::new().add_modifier(DIM),
-        };
         let of = self.colours;
         let curves = [of.curve_1, of.curve_2, of.curve_3, of.curve_4, of.curve_5, of.curve_6];
-        pick(curves[index % curves.len()], mono)
+        pick(curves[index % curves.len()], [PLAIN, BOLD, DIM][index % 3])
     }
 
     /// One of four steps from harmless to grave.
@@ -128,12 +107,9 @@ impl Theme {
         let of = self.colours;
         let steps = [of.harmless, of.mild, of.serious, of.grave];
         let step = step.min(steps.len() - 1);
-        let style = pick(steps[step], Style::new());
-        match step {
-            0 | 1 => style,
-            2 if !self.is_mono() => style,
-            _ => style.add_modifier(BOLD),
-        }
+        let style = pick(steps[step], PLAIN);
+        let is_bold = step == 3 || step == 2 && self.is_mono();
+        if is_bold { style.bold() } else { style }
     }
 
     /// Something that is so many times its limit.
@@ -141,13 +117,9 @@ impl Theme {
         self.grave([0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count())
     }
 
-    /// A risk by the upper end of its range, so that no colour is surer than that; none where the
-    /// range says nothing.
+    /// A risk by the upper end of its range, so that no colour is surer; plain where that is none.
     pub fn risk(self, risk: &Risk) -> Style {
-        if risk.is_unclear() {
-            return self.text();
-        }
-        self.likelihood(risk.range.1)
+        if risk.is_unclear() { self.text() } else { self.likelihood(risk.range.1) }
     }
 
     /// A risk from 0 to 1 that is known.
@@ -156,7 +128,7 @@ impl Theme {
     }
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.
-    fn heats(self) -> &'static [Color] {
+    fn heats(self) -> &'static [u8] {
         self.look.palette.heat(self.look.heat, self.look.depth)
     }
 
@@ -167,14 +139,12 @@ impl Theme {
 
     /// A step of heat; 0 is cold.
     pub fn heat(self, step: usize) -> Style {
-        let Some(step) = step.checked_sub(1) else {
-            return self.quiet();
-        };
-        let step = step.min(self.heat_steps() - 1);
-        match self.look.depth {
-            Depth::Mono if step + 2 < self.heat_steps() => Style::new(),
-            Depth::Mono => Style::new().add_modifier(BOLD),
-            Depth::Sixteen | Depth::TwoFiveSix => Style::new().fg(self.heats()[step]),
+        let most = self.heat_steps();
+        match step {
+            0 => self.quiet(),
+            _ if !self.is_mono() => PLAIN.fg(ink(self.heats()[step.min(most) - 1])),
+            _ if step + 1 < most => PLAIN,
+            _ => BOLD,
         }
     }
 
@@ -183,13 +153,9 @@ impl Theme {
         let of = self.colours;
         let role = match part {
             Part::Sky => return Color::Reset,
-            Part::Globe => {
-                return match self.look.depth {
-                    Depth::Mono => Color::Reset,
-                    Depth::Sixteen => FIELD_16[step * FIELD_16.len() / FIELD.len()],
-                    Depth::TwoFiveSix => FIELD[step],
-                };
-            }
+            Part::Globe if self.is_mono() => return Color::Reset,
+            Part::Globe if self.look.depth == Depth::TwoFiveSix => return ink(FIELD[step]),
+            Part::Globe => return ink(FIELD_16[step * FIELD_16.len() / FIELD.len()]),
             Part::Object => of.object,
             Part::Skin => of.skin,
             Part::Fat => of.fat_ground,
@@ -213,44 +179,42 @@ impl Theme {
 
     /// The dots of an outline at rest, on a part.
     pub fn ghost(self, on: Part) -> Color {
-        let [object, globe, sky] = match self.look.depth {
-            Depth::TwoFiveSix => [52, 250, 246].map(Color::Indexed),
-            _ => [Color::Black, Color::Gray, Color::DarkGray],
+        let (many, few) = match on {
+            Part::Object | Part::Skin => (52, 0),
+            Part::Sky | Part::Fat => (246, 8),
+            _ => (250, 7),
         };
-        match on {
-            Part::Object | Part::Skin => object,
-            Part::Sky | Part::Fat => sky,
-            _ => globe,
-        }
+        ink(if self.look.depth == Depth::TwoFiveSix { many } else { few })
     }
 
     /// A part of the eye that is cold.
     pub fn region(self, region: Region) -> Style {
-        let dim = Style::new().add_modifier(DIM);
         match region {
-            Region::Interior => pick(self.colours.interior, dim),
-            Region::Lens => pick(self.colours.lens, Style::new()),
-            Region::Shell => pick(self.colours.shell, Style::new()),
-            Region::Retina => pick(self.colours.retina, Style::new().add_modifier(BOLD)),
-            Region::Fat => pick(self.colours.fat, dim),
-            Region::Orbit => pick(self.colours.orbit, Style::new()),
+            Region::Interior => pick(self.colours.interior, DIM),
+            Region::Lens => pick(self.colours.lens, PLAIN),
+            Region::Shell => pick(self.colours.shell, PLAIN),
+            Region::Retina => pick(self.colours.retina, BOLD),
+            Region::Fat => pick(self.colours.fat, DIM),
+            Region::Orbit => pick(self.colours.orbit, PLAIN),
         }
     }
 }
 
 /// A role's colour, or else another style.
 fn pick(role: Colour, otherwise: Style) -> Style {
-    role.ink().map_or(otherwise, |color| Style::new().fg(color))
+    role.ink().map_or(otherwise, Style::from)
 }
 
 /// A colour on another; none where there are none.
 fn on(role: Colour, ground: Colour) -> Option<Style> {
-    Some(Style::new().fg(role.ink()?).bg(ground.ink()?))
+    Some(PLAIN.fg(role.ink()?).bg(ground.ink()?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ratatui::style::Modifier;
+
     use crate::tui::{terminal::caps::Symbols, view::heat::HeatMap};
 
     /// The contrast that text needs (WCAG 2.1, 1.4.3).
@@ -267,25 +231,19 @@ mod tests {
         let Color::Indexed(index) = color else {
             panic!("{color:?} is none of the 256");
         };
-        let level = |step: u8| {
-            if step == 0 { 0.0 } else { f64::from(55 + 40 * u32::from(step)) }
-        };
-        let bytes = match index {
-            16..=231 => {
-                let cube = index - 16;
-                [cube / 36, cube / 6 % 6, cube % 6].map(level)
-            }
-            232.. => [f64::from(8 + 10 * u32::from(index - 232)); 3],
-            _ => panic!("{index} depends on the terminal"),
+        let level = |step: u8| if step == 0 { 0.0 } else { 55.0 + 40.0 * f64::from(step) };
+        assert!(index >= 16, "{index} depends on the terminal");
+        let bytes = match index - 16 {
+            cube @ ..216 => [cube / 36, cube / 6 % 6, cube % 6].map(level),
+            grey => [8.0 + 10.0 * f64::from(grey - 216); 3],
         };
         bytes.map(|byte| byte / 255.0)
     }
 
     /// Relative luminance as WCAG has it.
     fn luminance(color: Color) -> f64 {
-        let linear = |c: f64| {
-            if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        };
+        let curve = |c: f64| ((c + 0.055) / 1.055).powf(2.4);
+        let linear = |c: f64| if c <= 0.040_45 { c / 12.92 } else { curve(c) };
         let [red, green, blue] = rgb(color).map(linear);
         0.2126 * red + 0.7152 * green + 0.0722 * blue
     }
@@ -297,35 +255,19 @@ mod tests {
 
     #[test]
     fn every_role_can_be_read_on_dark_and_on_light_grounds() {
+        use Region::{Fat, Interior, Lens, Orbit, Retina, Shell};
         let grounds = [(false, 16), (true, 231), (true, 255)];
         let maps = [HeatMap::Hot, HeatMap::Cividis];
         for ((light, ground), heat) in grounds.iter().flat_map(|g| maps.map(|map| (*g, map))) {
             let theme = theme(Depth::TwoFiveSix, heat, light);
             let ground = Color::Indexed(ground);
-            let mut roles = vec![
-                theme.text(),
-                theme.quiet(),
-                theme.heading(),
-                theme.strong(),
-                theme.warning(),
-                theme.error(),
-                theme.bar(),
-                theme.bar_strong(),
-                theme.bar_chosen(),
-                theme.load(),
-                theme.cursor(),
-            ];
+            let mut roles = vec![theme.text(), theme.quiet(), theme.heading(), theme.strong()];
+            roles.extend([theme.warning(), theme.error(), theme.load(), theme.cursor()]);
+            roles.extend([theme.bar(), theme.bar().bold(), theme.bar_chosen()]);
             roles.extend((0..6).map(|i| theme.curve(i)));
             roles.extend((0..4).map(|step| theme.grave(step)));
             roles.extend((0..=theme.heat_steps()).map(|step| theme.heat(step)));
-            let regions = [
-                Region::Interior,
-                Region::Lens,
-                Region::Shell,
-                Region::Retina,
-                Region::Fat,
-                Region::Orbit,
-            ];
+            let regions = [Interior, Lens, Shell, Retina, Fat, Orbit];
             roles.extend(regions.map(|region| theme.region(region)));
             for role in roles {
                 // What has no colour of its own is the terminal's.
@@ -340,16 +282,12 @@ mod tests {
     fn the_even_map_leaves_the_ground_in_even_steps_of_lightness() {
         for light in [false, true] {
             let theme = theme(Depth::TwoFiveSix, HeatMap::Cividis, light);
-            let lightness = |step| {
-                let ink = theme.heat(step).fg.unwrap();
-                116.0 * luminance(ink).cbrt() - 16.0
-            };
+            let lightness = |place: u8| 116.0 * luminance(ink(place)).cbrt() - 16.0;
             let sign = if light { -1.0 } else { 1.0 };
-            let steps: Vec<f64> = (2..=theme.heat_steps())
-                .map(|step| sign * (lightness(step) - lightness(step - 1)))
-                .collect();
-            let most = steps.iter().copied().fold(0.0, f64::max);
-            let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
+            let step = |two: &[u8]| sign * (lightness(two[1]) - lightness(two[0]));
+            let mut steps: Vec<f64> = theme.heats().windows(2).map(step).collect();
+            steps.sort_by(f64::total_cmp);
+            let (least, most) = (steps[0], steps[steps.len() - 1]);
             assert!(least > 5.0 && most < 1.5 * least, "{steps:?}");
         }
     }
@@ -358,9 +296,9 @@ mod tests {
     fn what_is_chosen_in_a_bar_stands_out_without_colours() {
         for depth in [Depth::Mono, Depth::Sixteen] {
             let theme = theme(depth, HeatMap::Hot, false);
-            let chosen = theme.bar().patch(theme.bar_chosen());
-            assert!(theme.bar().add_modifier.contains(REVERSED));
-            assert!(!chosen.add_modifier.contains(REVERSED));
+            let is_reversed = |style: Style| style.add_modifier.contains(Modifier::REVERSED);
+            assert!(is_reversed(theme.bar()));
+            assert!(!is_reversed(theme.bar().patch(theme.bar_chosen())));
         }
     }
 }

@@ -12,7 +12,7 @@ use contrecoup::tui::overlay::Overlay;
 use contrecoup::tui::overlay::Prompt;
 use contrecoup::tui::request::Report;
 use contrecoup::tui::request::Ticket;
-use contrecoup::tui::screens::accuracy::measurement::{MeasureAccuracy, Measurement};
+use contrecoup::tui::screens::accuracy::{MeasureAccuracy, Measurement};
 use contrecoup::tui::simulation::Simulate;
 use contrecoup::tui::terminal::caps::Depth;
 use crossterm::event::{KeyCode, KeyEvent};

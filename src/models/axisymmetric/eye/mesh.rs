@@ -13,13 +13,13 @@ const SQUARE: f64 = 0.425;
 const CIRCLE: f64 = 0.5;
 /// How much closer rays lie in front.
 const GRADING: f64 = 0.2;
+
 /// Where cells lie thicker and where thinner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layers {
     /// Radius of the core's map as a share of the globe's.
     core: f64,
-    /// By which share the layers within the shell, and those beyond it, are thinner at the shell
-    /// than on average.
+    /// By which share layers within the shell, and beyond it, are thinner at it than on average.
     within: f64,
     beyond: f64,
 }
@@ -58,7 +58,7 @@ impl Block {
 }
 
 /// Nodes at rest, in m, and the blocks they lie in.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
     /// Place of each node along the line of the blow, towards the back, m.
     pub x: Vec<f64>,
@@ -91,8 +91,7 @@ struct Rays {
 }
 
 impl Rays {
-    /// With one of `rays`, rising angles from 0 to pi, on each of `marks`, which rise too: those
-    /// that stretch the rest least.
+    /// With one of the rising `rays` on each of the rising `marks`: those that stretch least.
     fn through(marks: &[f64], rays: &[f64]) -> Self {
         let mut best = (f64::INFINITY, vec![(0.0, 0.0), (PI, PI)]);
         let mut chosen = vec![0; marks.len()];
@@ -124,8 +123,7 @@ impl Rays {
     }
 }
 
-/// Builds the mesh of a core 2 `half` by `half` cells, with its limbus at a front angle, and a
-/// wall beyond another.
+/// The mesh of a core 2 `half` by `half` cells, with a limbus and an opening at front angles.
 pub(crate) fn build(
     (half, spacing): (usize, Layers),
     radius: f64,
@@ -133,13 +131,7 @@ pub(crate) fn build(
     surround: Option<(Wall, f64)>,
 ) -> Mesh {
     let m = i64::try_from(half).expect("a mesh that fits in memory");
-    let mut mesh = Mesh {
-        x: Vec::new(),
-        r: Vec::new(),
-        blocks: Vec::new(),
-        shell: Vec::new(),
-        wall: Vec::new(),
-    };
+    let mut mesh = Mesh::default();
     // The border of the core from the front pole up, over the top, and down to the back pole.
     let border: Vec<(i64, i64)> = (0..m)
         .map(|v| (-m, v))
@@ -157,15 +149,12 @@ pub(crate) fn build(
     for v in 0..=m {
         for u in -m..=m {
             let q = u.abs().max(v) as f64;
-            let t = if q > 0.0 { rays.bring(angle(u, v)) } else { 0.0 };
+            let (t, over) =
+                if q > 0.0 { (rays.bring(angle(u, v)), SQUARE / q) } else { (0.0, 0.0) };
             let scale = spacing.core * radius * q / m as f64;
-            let over = if q > 0.0 { SQUARE / q } else { 0.0 };
+            let out = scale * (over * v as f64 + CIRCLE * libm::sin(t));
             mesh.x.push(scale * (over * u as f64 + CIRCLE * libm::cos(t)));
-            mesh.r.push(if v == 0 {
-                0.0
-            } else {
-                scale * (over * v as f64 + CIRCLE * libm::sin(t))
-            });
+            mesh.r.push(if v == 0 { 0.0 } else { out });
         }
     }
     let columns = 2 * half + 1;
@@ -181,12 +170,11 @@ pub(crate) fn build(
 
     if let Some((wall, opening)) = surround {
         // A cell is kept if all of it lies behind the opening.
-        let first = (0..rays.len() - 1).find(|&i| rays[i] <= PI - opening);
-        if let Some(first) = first {
-            let on_wall: Vec<(f64, f64)> = rays[first..]
+        if let Some(first) = (0..rays.len() - 1).find(|&i| rays[i] <= PI - opening) {
+            let on_wall = rays[first..]
                 .iter()
-                .map(|&t| (wall.distance(t) * libm::cos(t), wall.distance(t) * libm::sin(t)))
-                .collect();
+                .map(|&t| (wall.distance(t) * libm::cos(t), wall.distance(t) * libm::sin(t)));
+            let on_wall: Vec<_> = on_wall.collect();
             let layers = (AROUND_LAYERS * half as f64).round() as usize;
             let shell = mesh.shell[first..].to_vec();
             mesh.wall = mesh.layers(shell, &on_wall, (layers, -spacing.beyond));
@@ -195,10 +183,15 @@ pub(crate) fn build(
     mesh
 }
 
+/// Share of the way of a layer, thinner by a share at the outer end.
+pub(crate) fn graded(layer: usize, of: usize, thinner: f64) -> f64 {
+    let even = layer as f64 / of as f64;
+    even + thinner * even * (1.0 - even)
+}
+
 impl Mesh {
     /// Adds a block of straight rays from the nodes `inner` to the points `outer`, of so many
-    /// layers, thinner by a share at the outer end, or at the inner one if it is negative; returns
-    /// its last row.
+    /// [`graded`] layers; returns its last row.
     fn layers(
         &mut self,
         inner: Vec<usize>,
@@ -208,8 +201,7 @@ impl Mesh {
         let columns = inner.len();
         let mut nodes = inner;
         for layer in 1..=layers {
-            let even = layer as f64 / layers as f64;
-            let share = even + thinner * even * (1.0 - even);
+            let share = graded(layer, layers, thinner);
             for i in 0..columns {
                 let (x, r) = (self.x[nodes[i]], self.r[nodes[i]]);
                 // The rays at both ends of a whole row lie on the axis.

@@ -13,15 +13,15 @@
 pub mod mesh;
 pub mod parameters;
 
+use crate::models::axisymmetric::forces::cell::volume;
 use crate::run::places::Region as Part;
 use mesh::{Layers, Mesh};
 use nalgebra::Point2;
-use parameters::{Material, Parameters};
-use std::f64::consts::{FRAC_PI_3, PI};
+use parameters::{Material, Parameters, SUBZONAL_PA};
+use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Points around the axis that means over the azimuth take; those of one half, as the other
-/// mirrors it.
+/// Points around one half of the axis, whose mirror is the other, that means over the azimuth take.
 const AZIMUTHS: usize = 32;
 /// Points along a segment, and along each side of a cell, that means over them take.
 const ALONG: usize = 16;
@@ -36,11 +36,12 @@ pub enum Tissue {
     Surround,
 }
 
-/// A ring with the section of a quad.
+/// A ring with the section of a quad, whose four corners are anticlockwise, or a hexahedron, whose
+/// eight go by the bits of their number: along its row, across it, and outward.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cell {
-    /// Anticlockwise.
-    pub corners: [usize; 4],
+pub struct Cell<const CORNERS: usize> {
+    /// Its nodes.
+    pub corners: [usize; CORNERS],
     /// Whether it lies in the globe or in what holds it.
     pub region: Tissue,
     /// Share of lens, 0 to 1.
@@ -51,16 +52,29 @@ pub struct Cell {
     pub subzonal: f64,
 }
 
-impl Cell {
-    /// Its middle in `eye` at rest, in m, and the part that it belongs to.
-    pub fn place(&self, eye: &AxisymmetricEye) -> (Point2<f64>, Part) {
-        let part = match self.region {
+impl<const CORNERS: usize> Cell<CORNERS> {
+    /// One of the globe, with its share of lens, or of what holds that.
+    pub(crate) fn new(
+        of: &Parameters,
+        corners: [usize; CORNERS],
+        region: Tissue,
+        lens: f64,
+    ) -> Self {
+        let around = of.surround.filter(|_| region == Tissue::Surround).map(|s| s.material);
+        let lens = if around.is_none() { lens } else { 0.0 };
+        let material = around.unwrap_or_else(|| of.lens.material.mixed(of.vitreous, lens));
+        // What keeps soft cells from folding stays softer than they are.
+        let subzonal = around.map_or(SUBZONAL_PA, |soft| SUBZONAL_PA.min(0.5 * soft.bulk));
+        Self { corners, region, lens, material, subzonal }
+    }
+
+    /// The part of a picture that it belongs to.
+    pub(crate) fn part(&self) -> Part {
+        match self.region {
             Tissue::Surround => Part::Fat,
             Tissue::Globe if self.lens > 0.0 => Part::Lens,
             Tissue::Globe => Part::Interior,
-        };
-        let middle = middle(&self.corners.map(|node| eye.at(node)));
-        (Point2::from(<[f64; 2]>::from(middle)), part)
+        }
     }
 }
 
@@ -87,7 +101,7 @@ pub struct AxisymmetricEye {
     /// Nodes and rows.
     pub mesh: Mesh,
     /// Block by block, row by row.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<Cell<4>>,
     /// Segments of the shell, from the front to the back.
     pub segments: Vec<ShellSegment>,
     /// Mass of each node, kg.
@@ -96,29 +110,42 @@ pub struct AxisymmetricEye {
     pub fixed: Vec<bool>,
 }
 
-/// (pi/3) (b - a) (ra^2 + ra rb + rb^2): the volume between an edge and the axis, signed.
-fn frustum(a: (f64, f64), b: (f64, f64)) -> f64 {
-    FRAC_PI_3 * (b.0 - a.0) * (a.1 * a.1 + a.1 * b.1 + b.1 * b.1)
-}
-
-/// Volume of the ring whose section is a polygon with corners anticlockwise.
-pub fn volume(corners: &[(f64, f64)]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    -corners.iter().zip(next).map(|(&a, &b)| frustum(a, b)).sum::<f64>()
-}
-
 fn middle(points: &[(f64, f64)]) -> (f64, f64) {
     let n = points.len() as f64;
     let sum = points.iter().fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
     (sum.0 / n, sum.1 / n)
 }
 
+/// Volumes of the quarters of a cell next to each of its corners.
+pub(crate) fn quarters(p: [(f64, f64); 4]) -> [f64; 4] {
+    let centre = middle(&p);
+    std::array::from_fn(|i| {
+        let (before, after) = (p[(i + 3) % 4], p[(i + 1) % 4]);
+        volume([p[i], middle(&[p[i], after]), centre, middle(&[p[i], before])]).0
+    })
+}
+
 /// Middle of the piece `i` of `count` of a whole.
-fn part(i: usize, count: usize) -> f64 {
+pub(crate) fn part(i: usize, count: usize) -> f64 {
     (i as f64 + 0.5) / count as f64
 }
 
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
+/// Front angle, in rad, of a place (x, r).
+pub(crate) fn front_angle((x, r): (f64, f64)) -> f64 {
+    libm::atan2(r, -x)
+}
+
+pub(crate) fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
+    libm::hypot(a.0 - b.0, a.1 - b.1)
+}
+
+/// The place at shares of the two directions of a quad.
+pub(crate) fn upon([a, b, c, d]: &[(f64, f64); 4], s: f64, t: f64) -> (f64, f64) {
+    let at = |a: f64, b: f64, c: f64, d: f64| (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d));
+    (at(a.0, b.0, c.0, d.0), at(a.1, b.1, c.1, d.1))
+}
+
+pub(crate) fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
     sum / count
 }
@@ -143,20 +170,10 @@ fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
 impl Parameters {
     /// The segment between two points of the shell.
     fn segment(&self, [a, b]: [(f64, f64); 2]) -> ShellSegment {
-        let front = |s: f64| libm::atan2(a.1 + s * (b.1 - a.1), -(a.0 + s * (b.0 - a.0)));
-        let shell = &self.shell;
+        let front = |s: f64| front_angle((a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1)));
         let angles = (0..ALONG).flat_map(|i| own_angles(front(part(i, ALONG)), self.axis_angle));
-        let angles: Vec<f64> = angles.collect();
-        let over = |of: &dyn Fn(f64) -> f64| mean(angles.iter().copied().map(of));
-        let thickness = over(&|angle| shell.at(angle).0);
-        let stiffness = over(&|angle| shell.at(angle).0 * shell.at(angle).1);
-        let front_angle = front(0.5);
-        ShellSegment {
-            thickness,
-            modulus: stiffness / thickness,
-            sclera: over(&|angle| f64::from(angle >= shell.limbus)),
-            front_angle,
-        }
+        let (thickness, modulus, sclera) = self.shell.means(&angles.collect::<Vec<f64>>());
+        ShellSegment { thickness, modulus, sclera, front_angle: front(0.5) }
     }
 
     fn lens_share(&self, corners: [(f64, f64); 4]) -> f64 {
@@ -165,19 +182,14 @@ impl Parameters {
         let farthest = self.lens.centre.abs() + along.max(across);
         let nearest =
             corners.map(|(x, r)| libm::hypot(x, r)).into_iter().fold(f64::INFINITY, f64::min);
-        let size = libm::hypot(corners[2].0 - corners[0].0, corners[2].1 - corners[0].1);
-        if nearest > farthest + size {
+        if nearest > farthest + distance(corners[2], corners[0]) {
             return 0.0;
         }
         mean((0..ACROSS * ACROSS).flat_map(|i| {
             let (s, t) = (part(i % ACROSS, ACROSS), part(i / ACROSS, ACROSS));
-            let at = |of: fn(&(f64, f64)) -> f64| {
-                let [a, b, c, d] = corners.map(|p| of(&p));
-                (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d))
-            };
-            let (x, r) = (at(|p| p.0), at(|p| p.1));
-            let distance = libm::hypot(x, r);
-            own_angles(libm::atan2(r, -x), self.axis_angle).map(move |own| {
+            let at = upon(&corners, s, t);
+            let distance = libm::hypot(at.0, at.1);
+            own_angles(front_angle(at), self.axis_angle).map(move |own| {
                 let (x, r) = (-distance * libm::cos(own), distance * libm::sin(own));
                 let inside = ((x - self.lens.centre) / along).powi(2) + (r / across).powi(2) <= 1.0;
                 f64::from(inside)
@@ -199,77 +211,44 @@ impl AxisymmetricEye {
 
     /// Builds the eye with `half` cells in half a side of its core.
     pub fn with_core(parameters: &Parameters, half: usize, layers: Layers) -> Self {
-        let surround = parameters.surround.as_ref();
-        let mesh = mesh::build(
-            (half, layers),
-            parameters.radius,
-            parameters.shell.limbus,
-            surround.map(|s| (s.wall, s.opening)),
-        );
+        let limbus = parameters.shell.limbus;
+        let wall = parameters.surround.map(|s| (s.wall, s.opening));
+        let mesh = mesh::build((half, layers), parameters.radius, limbus, wall);
         let at = |node: usize| (mesh.x[node], mesh.r[node]);
-
-        let mut cells = Vec::new();
-        for (i, block) in mesh.blocks.iter().enumerate() {
-            for corners in block.cells() {
-                let lens = parameters.lens_share(corners.map(at));
-                let cell = match surround.filter(|_| i == 2) {
-                    Some(around) => Cell {
-                        corners,
-                        region: Tissue::Surround,
-                        lens: 0.0,
-                        material: around.material,
-                        subzonal: around.subzonal,
-                    },
-                    None => Cell {
-                        corners,
-                        region: Tissue::Globe,
-                        lens,
-                        material: parameters.lens.material.mixed(parameters.vitreous, lens),
-                        subzonal: parameters.subzonal,
-                    },
-                };
-                cells.push(cell);
-            }
-        }
-        let segments: Vec<ShellSegment> = mesh
-            .shell
-            .windows(2)
-            .map(|ends| parameters.segment([at(ends[0]), at(ends[1])]))
-            .collect();
-        let mut fixed = vec![false; mesh.x.len()];
-        for &node in &mesh.wall {
-            fixed[node] = true;
-        }
+        let regions = [Tissue::Globe, Tissue::Globe, Tissue::Surround];
+        let cells = mesh.blocks.iter().zip(regions).flat_map(|(block, region)| {
+            block.cells().map(move |corners| {
+                Cell::new(parameters, corners, region, parameters.lens_share(corners.map(at)))
+            })
+        });
+        let segments = mesh.shell.windows(2);
         let mut eye = Self {
             level: 0,
             parameters: *parameters,
+            cells: cells.collect(),
+            segments: segments.map(|e| parameters.segment([at(e[0]), at(e[1])])).collect(),
             mass: vec![0.0; mesh.x.len()],
+            fixed: vec![false; mesh.x.len()],
             mesh,
-            cells,
-            segments,
-            fixed,
         };
+        for &node in &eye.mesh.wall {
+            eye.fixed[node] = true;
+        }
         eye.spread_mass();
         eye
     }
 
-    /// Each corner gets the quarter of a cell next to it, and each end of a segment the mass that a
-    /// function linear along it gives.
+    /// Of a cell each corner gets its quarter, of a segment each end what a linear function gives.
     fn spread_mass(&mut self) {
         for cell in &self.cells {
-            let points = cell.corners.map(|node| self.at(node));
-            let centre = middle(&points);
-            for i in 0..4 {
-                let (before, after) = (points[(i + 3) % 4], points[(i + 1) % 4]);
-                let quarter =
-                    [points[i], middle(&[points[i], after]), centre, middle(&[points[i], before])];
-                self.mass[cell.corners[i]] += cell.material.density * volume(&quarter);
+            let quarters = quarters(cell.corners.map(|node| self.at(node)));
+            for (&node, quarter) in cell.corners.iter().zip(quarters) {
+                self.mass[node] += cell.material.density * quarter;
             }
         }
         for (i, segment) in self.segments.iter().enumerate() {
             let (a, b) = (self.mesh.shell[i], self.mesh.shell[i + 1]);
-            let ((xa, ra), (xb, rb)) = (self.at(a), self.at(b));
-            let length = libm::hypot(xb - xa, rb - ra);
+            let (length, ra, rb) = (distance(self.at(b), self.at(a)), self.at(a).1, self.at(b).1);
             let per_radius = self.parameters.shell.density * segment.thickness * PI * length / 3.0;
             self.mass[a] += per_radius * (2.0 * ra + rb);
             self.mass[b] += per_radius * (ra + 2.0 * rb);
@@ -279,6 +258,13 @@ impl AxisymmetricEye {
     /// x and r of a node at rest, in m.
     pub fn at(&self, node: usize) -> (f64, f64) {
         (self.mesh.x[node], self.mesh.r[node])
+    }
+
+    /// Middle of a cell at rest, in m, and the part of a picture that it belongs to.
+    pub(crate) fn place(&self, cell: usize) -> (Point2<f64>, Part) {
+        let cell = &self.cells[cell];
+        let (x, r) = middle(&cell.corners.map(|node| self.at(node)));
+        (Point2::new(x, r), cell.part())
     }
 
     /// The part of the section that each node lies in. A node between lens and vitreous is of the
@@ -311,14 +297,6 @@ impl AxisymmetricEye {
         }
         regions
     }
-
-    /// The front edge of the wall, in m, the same on every mesh.
-    pub fn rim(&self) -> Option<(f64, f64)> {
-        let surround = self.parameters.surround.as_ref()?;
-        let angle = PI - surround.opening;
-        let distance = surround.wall.distance(angle);
-        Some((distance * libm::cos(angle), distance * libm::sin(angle)))
-    }
 }
 
 #[cfg(test)]
@@ -335,16 +313,16 @@ mod tests {
     fn over_shell(eye: &AxisymmetricEye, of: impl Fn(&ShellSegment) -> f64) -> f64 {
         let segments = eye.segments.iter().zip(eye.mesh.shell.windows(2));
         let each = segments.map(|(segment, ends)| {
-            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-            of(segment) * 0.5 * (ra + rb) * (xb - xa).hypot(rb - ra)
+            let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
+            of(segment) * 0.5 * (a.1 + b.1) * distance(a, b)
         });
         each.sum()
     }
 
     /// What its cells have of something, by their volume.
-    fn over_cells(eye: &AxisymmetricEye, of: impl Fn(&Cell) -> f64) -> f64 {
+    fn over_cells(eye: &AxisymmetricEye, of: impl Fn(&Cell<4>) -> f64) -> f64 {
         let each = eye.cells.iter();
-        each.map(|cell| of(cell) * volume(&cell.corners.map(|node| eye.at(node)))).sum()
+        each.map(|cell| of(cell) * volume(cell.corners.map(|node| eye.at(node))).0).sum()
     }
 
     #[test]
@@ -352,14 +330,13 @@ mod tests {
         for level in 1..=12 {
             for surround in [Surround::orbit(), Surround::gelatin()] {
                 let eye = eye(level, Some(surround), 0.0);
-                let front = |node: &usize| eye.at(*node).1.atan2(-eye.at(*node).0);
                 for mark in [eye.parameters.shell.limbus, surround.opening] {
-                    let off = |node: &usize| (front(node) - mark).abs();
+                    let off = |node: &usize| (front_angle(eye.at(*node)) - mark).abs();
                     let least = eye.mesh.shell.iter().map(off).fold(f64::INFINITY, f64::min);
                     assert!(least < 1e-12, "{level} {mark} {least}");
                 }
-                let rim = eye.rim().unwrap();
-                assert!((rim.1.atan2(-rim.0) - surround.opening).abs() < 1e-12);
+                let rim = front_angle(surround.edge());
+                assert!((rim - surround.opening).abs() < 1e-12);
                 let pure = |s: &ShellSegment| s.sclera == 0.0 || s.sclera == 1.0;
                 assert!(eye.segments.iter().all(pure));
             }
@@ -426,13 +403,5 @@ mod tests {
         assert!(turned.segments.last().is_some_and(|s| s.sclera == 1.0));
         let mixed = |s: &ShellSegment| s.sclera > 0.2 && s.sclera < 0.8;
         assert!(turned.segments.iter().any(mixed));
-    }
-
-    #[test]
-    fn the_orbits_rim_lies_where_its_opening_ends() {
-        let rim = eye(1, Some(Surround::orbit()), 0.0).rim().unwrap();
-        let angle = rim.1.atan2(-rim.0).to_degrees();
-        assert!((angle - 72.0).abs() < 1e-9, "{angle}");
-        assert!(eye(1, None, 0.0).rim().is_none());
     }
 }

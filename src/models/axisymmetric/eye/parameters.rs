@@ -1,5 +1,6 @@
 //! What the axisymmetric eye is made of, in SI units, each default with its source.
 
+use crate::models::axisymmetric::eye::mean;
 use std::f64::consts::PI;
 
 /// One degree, in rad.
@@ -49,8 +50,7 @@ impl Material {
 /// A rigid wall around the globe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wall {
-    /// The bone: r = `radius` - `slope` (x + `behind`), nowhere farther than `farthest` from the
-    /// centre.
+    /// The bone: r = `radius` - `slope` (x + `behind`), at most `farthest` from the centre.
     Cone {
         /// Radius at x = -`behind`, in m.
         radius: f64,
@@ -96,8 +96,6 @@ pub struct Surround {
     pub opening: f64,
     /// Between globe and wall.
     pub material: Material,
-    /// Stiffness against folding, in Pa.
-    pub subzonal: f64,
 }
 
 impl Surround {
@@ -108,31 +106,24 @@ impl Surround {
             wall: Wall::Cone { radius: 19e-3, slope: 0.39, behind: 4e-3, farthest: 30e-3 },
             opening: 72.0 * DEGREE,
             material: Material::ORBITAL_FAT,
-            subzonal: SUBZONAL_PA.min(0.5 * Material::ORBITAL_FAT.bulk),
         }
     }
 
     /// A stiff cup of 20 mm filled with gelatin.
     pub fn gelatin() -> Self {
-        Self {
-            wall: Wall::Sphere(20e-3),
-            opening: 40.0 * DEGREE,
-            material: Material::GELATIN,
-            subzonal: SUBZONAL_PA,
-        }
+        Self { wall: Wall::Sphere(20e-3), opening: 40.0 * DEGREE, material: Material::GELATIN }
     }
 
-    /// This surround with another bulk modulus, in Pa; what keeps cells from folding stays softer.
-    #[must_use]
-    pub fn with_bulk(mut self, bulk: f64) -> Self {
-        self.material.bulk = bulk;
-        self.subzonal = SUBZONAL_PA.min(0.5 * bulk);
-        self
+    /// The front edge of the wall: x and distance from the axis, in m.
+    pub(crate) fn edge(&self) -> (f64, f64) {
+        let angle = PI - self.opening;
+        let distance = self.wall.distance(angle);
+        (distance * libm::cos(angle), distance * libm::sin(angle))
     }
 }
 
 /// Stiffness against folding where the material is far stiffer in bulk, in Pa.
-const SUBZONAL_PA: f64 = 0.3e6;
+pub(crate) const SUBZONAL_PA: f64 = 0.3e6;
 
 /// Cornea and sclera.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -190,8 +181,7 @@ impl ShellParameters {
             return (self.cornea_thickness, self.cornea_modulus);
         }
         let points = &self.sclera_thickness;
-        let above = points.iter().position(|p| p.0 > angle);
-        let thickness = match above {
+        let thickness = match points.iter().position(|p| p.0 > angle) {
             None => points[points.len() - 1].1,
             Some(0) => points[0].1,
             Some(i) => {
@@ -200,6 +190,16 @@ impl ShellParameters {
             }
         };
         (thickness, self.sclera_modulus)
+    }
+
+    /// Means over such angles: thickness in m, the modulus in Pa that gives the mean of modulus
+    /// times thickness, and the share of sclera.
+    pub(crate) fn means(&self, angles: &[f64]) -> (f64, f64, f64) {
+        let over = |of: &dyn Fn(f64) -> f64| mean(angles.iter().copied().map(of));
+        let thickness = over(&|angle| self.at(angle).0);
+        let stiffness = over(&|angle| self.at(angle).0 * self.at(angle).1);
+        let sclera = over(&|angle| f64::from(angle >= self.limbus));
+        (thickness, stiffness / thickness, sclera)
     }
 }
 
@@ -225,8 +225,6 @@ pub struct Parameters {
     pub vitreous: Material,
     /// The lens.
     pub lens: LensParameters,
-    /// Stiffness of the globe's cells against folding, in Pa.
-    pub subzonal: f64,
     /// Cornea and sclera.
     pub shell: ShellParameters,
     /// `None` leaves the globe free.
@@ -245,7 +243,6 @@ impl Default for Parameters {
                 half_axes: (2.2e-3, 4.6e-3),
                 material: Material::LENS,
             },
-            subzonal: SUBZONAL_PA,
             shell: ShellParameters::human(),
             surround: Some(Surround::orbit()),
         }

@@ -15,7 +15,8 @@
 //! This is the plain form: [`crate::models::axisymmetric::forces::quads`] computes the same of
 //! many cells at once and is tested against it.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Cell, parameters::Material};
+use nalgebra::Matrix2;
 use std::f64::consts::FRAC_PI_3;
 
 /// Linear and quadratic artificial viscosity.
@@ -33,14 +34,12 @@ pub(crate) const LOSS_IN_STEP: f64 = 0.5;
 /// their shells, 1.5 times at least (a paintball that is flat) and 2 in the middle, over 24 blows
 /// from rest to crushed on levels 1 to 3; tests ask some again.
 pub(crate) const ASSEMBLED: f64 = 1.4;
-/// Share of area or volume that a cell which has folded is taken to have, so that all stays
-/// finite.
+/// Share of area or volume that a folded cell is taken to have, so that all stays finite.
 pub(crate) const FLAT: f64 = 1e-3;
 
 type Point = (f64, f64);
 
 /// What one cell is at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rest {
     pub volume: f64,
     pub triangles: [f64; 4],
@@ -48,15 +47,11 @@ pub(crate) struct Rest {
     pub diagonals: [f64; 4],
     pub radius: f64,
     pub area: f64,
-    pub density: f64,
-    pub bulk: f64,
-    pub shear: f64,
-    pub viscosity: f64,
+    pub material: Material,
     pub subzonal: f64,
 }
 
 /// What a cell does at some instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Response {
     /// On each corner, N.
     pub force: [Point; 4],
@@ -64,8 +59,6 @@ pub(crate) struct Response {
     pub pressure: f64,
     /// m3.
     pub volume: f64,
-    /// Stored, J.
-    pub energy: f64,
     /// Power lost to viscosity, W.
     pub loss: f64,
     /// Longest stable step, s.
@@ -126,7 +119,7 @@ pub(crate) fn volume<const N: usize>(p: [Point; N]) -> (f64, [Point; N]) {
     (sum, gradient)
 }
 
-/// The volume alone.
+/// The volume alone, for less work.
 fn swept<const N: usize>(p: [Point; N]) -> f64 {
     let edge = |i: usize| {
         let (a, b) = (p[i], p[(i + 1) % N]);
@@ -135,8 +128,7 @@ fn swept<const N: usize>(p: [Point; N]) -> f64 {
     -FRAC_PI_3 * (0..N).map(edge).sum::<f64>()
 }
 
-/// The least volume of a corner triangle over that at rest, of a cell of `eye` with its nodes `at`
-/// some places.
+/// The least volume of a corner triangle over that at rest, of a cell with its nodes `at` places.
 pub(crate) fn least_triangle(
     eye: &AxisymmetricEye,
     corners: &[usize; 4],
@@ -169,9 +161,9 @@ fn subzonal(j: f64) -> (f64, f64) {
 }
 
 impl Rest {
-    pub fn new(eye: &AxisymmetricEye, cell: &Cell) -> Self {
+    pub fn new(eye: &AxisymmetricEye, cell: &Cell<4>) -> Self {
         let p = cell.corners.map(|node| eye.at(node));
-        let (a, b) = ((p[2].0 - p[0].0, p[2].1 - p[0].1), (p[3].0 - p[1].0, p[3].1 - p[1].1));
+        let (a, b) = diagonals(p);
         let det = a.0 * b.1 - b.0 * a.1;
         Self {
             volume: volume(p).0,
@@ -179,10 +171,7 @@ impl Rest {
             diagonals: [b.1 / det, -b.0 / det, -a.1 / det, a.0 / det],
             radius: 0.25 * p.iter().map(|p| p.1).sum::<f64>(),
             area: 0.5 * det,
-            density: cell.material.density,
-            bulk: cell.material.bulk,
-            shear: cell.material.shear,
-            viscosity: cell.material.viscosity,
+            material: cell.material,
             subzonal: cell.subzonal,
         }
     }
@@ -194,10 +183,10 @@ impl Rest {
         let now = true_volume.max(FLAT * self.volume);
         let j = now / self.volume;
         let expansion = rate(&gradient, &v) / now;
-        let pressure = self.bulk * (1.0 / j - 1.0);
-        let sound = (self.bulk / self.density).sqrt();
+        let pressure = self.material.bulk * (1.0 / j - 1.0);
+        let sound = (self.material.bulk / self.material.density).sqrt();
         let length = section.length;
-        let mass_length = self.density * length;
+        let mass_length = self.material.density * length;
         let quadratic = QUADRATIC * mass_length * length * expansion * expansion.min(0.0);
         let artificial = -LINEAR * mass_length * sound * expansion + quadratic;
 
@@ -205,14 +194,13 @@ impl Rest {
             force: [(0.0, 0.0); 4],
             pressure,
             volume: true_volume,
-            energy: self.bulk * self.volume * (j - 1.0 - libm::log(j)),
             loss: -artificial * expansion * now,
             limit: self.limit(j, length, expansion),
             least_triangle: f64::INFINITY,
         };
         // Pressure on the whole quad, to which the corners' viscosity adds.
         let mut whole = pressure + artificial;
-        let eta = SUBZONAL_VISCOSITY * mass_length * (SUBZONAL_BULK / self.density).sqrt();
+        let eta = SUBZONAL_VISCOSITY * mass_length * (SUBZONAL_BULK / self.material.density).sqrt();
         for (i, at_rest) in self.triangles.iter().enumerate() {
             let corners = triangle(i);
             let (vt, slope) = volume(corners.map(|k| p[k]));
@@ -222,13 +210,12 @@ impl Rest {
             let own_rate = rate(&slope, &corners.map(|k| v[k])) / vt;
             response.limit = response.limit.min(LOSS_IN_STEP / (-own_rate).max(f64::MIN_POSITIVE));
             let shape_rate = own_rate - expansion;
-            let (over, stored) = subzonal(jt);
+            let (over, _) = subzonal(jt);
             let viscous = 0.5 * eta * shape_rate;
             for (corner, slope) in corners.into_iter().zip(slope) {
                 response.push(corner, 0.5 * self.subzonal * over - viscous, slope);
             }
             whole += viscous * vt / now;
-            response.energy += 0.5 * self.subzonal * at_rest * stored;
             response.loss += viscous * shape_rate * vt;
         }
         for (corner, slope) in gradient.into_iter().enumerate() {
@@ -238,16 +225,16 @@ impl Rest {
         response
     }
 
-    /// Stored, J, with corners at `p`: what [`Self::respond`] gives, for less work.
+    /// Stored, J, with corners at `p`.
     pub fn energy(&self, p: [Point; 4]) -> f64 {
         let j = (swept(p) / self.volume).max(FLAT);
-        let mut energy = self.bulk * self.volume * (j - 1.0 - libm::log(j));
+        let mut energy = self.material.bulk * self.volume * (j - 1.0 - libm::log(j));
         for (i, at_rest) in self.triangles.iter().enumerate() {
             let (_, stored) = subzonal(swept(triangle(i).map(|k| p[k])) / at_rest);
             energy += 0.5 * self.subzonal * at_rest * stored;
         }
         let (strain, isochoric) = self.strain(&self.section(p));
-        energy + 1.5 * self.volume * self.shear * (isochoric * strain.third - 1.0)
+        energy + 1.5 * self.volume * self.material.shear * (isochoric * strain.third - 1.0)
     }
 
     fn section(&self, p: [Point; 4]) -> Section {
@@ -265,34 +252,26 @@ impl Rest {
     /// Adds what resists shear, with the gradients of position and velocity in the middle of the
     /// quad: the diagonals are mapped exactly by them.
     fn shear(&self, section: &Section, v: [Point; 4], now: f64, response: &mut Response) {
-        let Section { a, b, det, .. } = *section;
-        let (strain, isochoric) = self.strain(section);
-        let Strain { xx, xr, rr, hh, third } = strain;
-        let g = self.shear * isochoric * self.volume;
-        response.energy += 1.5 * self.volume * self.shear * (isochoric * third - 1.0);
+        let Section { a, b, det, radius, .. } = *section;
+        let (Strain { xx, xr, rr, hh, third }, isochoric) = self.strain(section);
+        let g = self.material.shear * isochoric * self.volume;
 
         let (va, vb) = diagonals(v);
-        let l_xx = (va.0 * b.1 - vb.0 * a.1) / det;
-        let l_xr = (vb.0 * a.0 - va.0 * b.0) / det;
-        let l_rx = (va.1 * b.1 - vb.1 * a.1) / det;
-        let l_rr = (vb.1 * a.0 - va.1 * b.0) / det;
-        let l_hh = 0.25 * v.iter().map(|v| v.1).sum::<f64>() / section.radius;
-        let mean = (l_xx + l_rr + l_hh) / 3.0;
-        let shearing = 0.5 * (l_xr + l_rx);
-        let n = 2.0 * self.viscosity * now;
-        let s_xx = g * (xx - third) + n * (l_xx - mean);
-        let s_xr = g * xr + n * shearing;
-        let s_rr = g * (rr - third) + n * (l_rr - mean);
-        let s_hh = g * (hh - third) + n * (l_hh - mean);
-        let squares = (l_xx - mean).powi(2) + (l_rr - mean).powi(2) + (l_hh - mean).powi(2);
-        response.loss += n * (squares + 2.0 * shearing * shearing);
-        let on_a = ((s_xx * b.1 - s_xr * b.0) / det, (s_xr * b.1 - s_rr * b.0) / det);
-        let on_b = ((s_xr * a.0 - s_xx * a.1) / det, (s_rr * a.0 - s_xr * a.1) / det);
-        let out = 0.25 * s_hh / section.radius;
-        let corners = [(-on_a.0, -on_a.1), (-on_b.0, -on_b.1), on_a, on_b];
-        for (force, corner) in response.force.iter_mut().zip(corners) {
-            force.0 -= corner.0;
-            force.1 -= corner.1 + out;
+        let inverse = Matrix2::new(b.1, -b.0, -a.1, a.0) / det;
+        let l = Matrix2::new(va.0, vb.0, va.1, vb.1) * inverse;
+        let l_hh = 0.25 * v.iter().map(|v| v.1).sum::<f64>() / radius;
+        let (one, mean) = (Matrix2::identity(), (l.trace() + l_hh) / 3.0);
+        let (rates, d_hh) = ((l + l.transpose()) * 0.5 - one * mean, l_hh - mean);
+        let n = 2.0 * self.material.viscosity * now;
+        response.loss += n * (rates.norm_squared() + d_hh * d_hh);
+
+        let stress = (Matrix2::new(xx, xr, xr, rr) - one * third) * g + rates * n;
+        let on_diagonals = stress * inverse.transpose();
+        let out = 0.25 * (g * (hh - third) + n * d_hh) / radius;
+        for (i, force) in response.force.iter_mut().enumerate() {
+            let on = on_diagonals.column(i % 2) * if i < 2 { 1.0 } else { -1.0 };
+            force.0 += on.x;
+            force.1 += on.y - out;
         }
     }
 
@@ -319,15 +298,16 @@ impl Rest {
     /// c/l and damping ratio z = s/c it is stable up to (2/w)(sqrt(1 + z^2) - z), which is
     /// l/(sqrt(c^2 + s^2) + s) by itself, and so many times longer among others.
     fn limit(&self, j: f64, length: f64, expansion: f64) -> f64 {
-        let sound = (self.bulk / self.density).sqrt();
-        let subzonal_sound = (SUBZONAL_BULK / self.density).sqrt();
-        let stiffness = self.bulk / (j * j) + 4.0 / 3.0 * self.shear + self.subzonal;
-        let kinematic = self.viscosity / self.density;
+        let sound = (self.material.bulk / self.material.density).sqrt();
+        let subzonal_sound = (SUBZONAL_BULK / self.material.density).sqrt();
+        let stiffness =
+            self.material.bulk / (j * j) + 4.0 / 3.0 * self.material.shear + self.subzonal;
+        let kinematic = self.material.viscosity / self.material.density;
         let s = LINEAR * sound
             + 4.0 * SUBZONAL_VISCOSITY * subzonal_sound
             + 2.0 * kinematic / length
             + QUADRATIC * length * expansion.abs();
-        let waves = length / ((stiffness / self.density + s * s).sqrt() + s);
+        let waves = length / ((stiffness / self.material.density + s * s).sqrt() + s);
         let diffusion =
             if kinematic > 0.0 { length * length / (4.0 * kinematic) } else { f64::INFINITY };
         ASSEMBLED * waves.min(diffusion)

@@ -4,8 +4,9 @@
 //! pushed out along its normal by the foundation's traction, so force and energy are exact to each
 //! other. What is larger than the opening of the orbit meets the bone around it ([`Face`]).
 
+use crate::models::axisymmetric::eye::{AxisymmetricEye, distance, front_angle, part};
+use crate::models::axisymmetric::forces::face::Face;
 use crate::models::axisymmetric::forces::object::{MovingObject, Object};
-use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::face::Face};
 use std::f64::consts::PI;
 
 /// Points in a segment.
@@ -19,12 +20,10 @@ const ENTRAINED: f64 = 0.1 * 1000.0;
 const COURANT: f64 = 0.75;
 /// What is nearer to an object than this counts as touched by it, in m.
 pub(crate) const TOUCHING: f64 = 5e-5;
-/// The Courant number where the object loses energy, as the loss follows velocities half a step
-/// old.
+/// The Courant number where the object loses energy: the loss follows velocities half a step old.
 pub(crate) const DAMPED: f64 = 0.5;
 
 /// The shell as contact sees it.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Target {
     /// Area of each point at rest, m2, segment by segment.
     area: Vec<[f64; POINTS]>,
@@ -34,7 +33,7 @@ pub(crate) struct Target {
 }
 
 /// What contact does at some instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Touch {
     /// Force on the eye along the way of the projectile, N.
     pub force: f64,
@@ -44,17 +43,27 @@ pub(crate) struct Touch {
     pub energy: f64,
     /// Longest stable step, s.
     pub limit: f64,
-    /// Largest traction, Pa.
-    pub traction: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
-    /// Power lost in the object's surface, W, less what its own motion does
-    /// ([`MovingObject::lossy`]).
+    /// Power lost in the object's surface, W, less what [`MovingObject::lossy`] does.
     pub loss: f64,
     /// Farthest from the axis that the shell lies within [`TOUCHING`] of the object, m.
     pub radius: f64,
-    /// Segments of the shell that were looked at.
-    pub segments: usize,
+}
+
+/// The last place where something holds, between one where it does and one where it fails.
+pub(crate) fn last(mut holds: f64, mut fails: f64, of: impl Fn(f64) -> bool) -> f64 {
+    /// Halvings that leave nothing between the two.
+    const HALVINGS: usize = 60;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (holds + fails);
+        if of(middle) {
+            holds = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    holds
 }
 
 /// How far from the axis the object is touched between two points with their depths in it.
@@ -68,55 +77,34 @@ fn touched_to(a: (f64, f64), b: (f64, f64)) -> f64 {
     }
 }
 
-/// Where the points lie along a segment, as shares of it.
-pub(crate) fn share(point: usize) -> f64 {
-    (point as f64 + 0.5) / POINTS as f64
-}
-
 impl Target {
     pub fn new(eye: &AxisymmetricEye) -> Self {
-        let mut target = Self {
-            area: Vec::new(),
-            areal: Vec::new(),
-            face: eye.rim().map(|(x, r)| Face::beyond(x, r)),
-        };
-        for ends in eye.mesh.shell.windows(2) {
-            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-            let length = libm::hypot(xb - xa, rb - ra);
-            target.area.push(std::array::from_fn(|i| {
-                let radius = ra + share(i) * (rb - ra);
+        let segment = |ends: &[usize]| {
+            let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
+            let length = distance(b, a);
+            let areas = std::array::from_fn(|i| {
+                let radius = a.1 + part(i, POINTS) * (b.1 - a.1);
                 2.0 * PI * radius * length / POINTS as f64
-            }));
-            target.areal.push(SHELL_AREAL + ENTRAINED * length);
-        }
-        target
+            });
+            (areas, SHELL_AREAL + ENTRAINED * length)
+        };
+        let (area, areal) = eye.mesh.shell.windows(2).map(segment).unzip();
+        let around = eye.parameters.surround;
+        Self { area, areal, face: around.map(|around| Face::beyond(around.edge())) }
     }
 
     /// Where the front of an object is as it first touches the front pole at `pole` or the rim, m.
     pub fn first_touch(&self, object: &Object, pole: f64) -> f64 {
-        /// Halvings that leave nothing of the way back.
-        const HALVINGS: usize = 60;
-        let overlaps = |front: f64| {
-            let face = self.face.as_ref();
-            face.is_some_and(|face| face.overlaps(object, front - object.reach()))
-        };
+        let face = self.face.as_ref();
+        let overlaps =
+            |front: f64| face.is_some_and(|face| face.overlaps(object, front - object.reach()));
         if !overlaps(pole) {
             return pole;
         }
-        let (mut clear, mut touching) = (pole - 2.0 * object.outline.radius(), pole);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (clear + touching);
-            if overlaps(middle) {
-                touching = middle;
-            } else {
-                clear = middle;
-            }
-        }
-        clear
+        last(pole - 2.0 * object.outline.radius(), pole, |front| !overlaps(front))
     }
 
-    /// Adds the forces of contact on a shell at (x, r) of velocity (vx, vr) to its forces and to
-    /// the projectile's.
+    /// Adds the forces of contact to those of the shell and of the projectile.
     pub fn forces(
         &self,
         object: &Object,
@@ -125,17 +113,7 @@ impl Target {
         (vx, vr): (&[f64], &[f64]),
         (fx, fr): (&mut [f64], &mut [f64]),
     ) -> Touch {
-        let mut touch = Touch {
-            force: 0.0,
-            rim: 0.0,
-            energy: 0.0,
-            limit: f64::INFINITY,
-            traction: 0.0,
-            used_up: 0.0,
-            loss: 0.0,
-            radius: 0.0,
-            segments: 0,
-        };
+        let mut touch = Touch { limit: f64::INFINITY, ..Touch::default() };
         let centre = projectile.x[0];
         let near = object.near();
         let front = centre + object.reach() + near.max(TOUCHING);
@@ -145,10 +123,9 @@ impl Target {
             if x[i].min(x[i + 1]) > front {
                 continue;
             }
-            touch.segments += 1;
             let (mut steepest, mut damping): (f64, f64) = (0.0, 0.0);
             for (point, area) in areas.iter().enumerate() {
-                let s = share(point);
+                let s = part(point, POINTS);
                 let (px, pr) = (x[i] + s * (x[i + 1] - x[i]), r[i] + s * (r[i + 1] - r[i]));
                 let (gap, nx, nr) = object.gap(px - centre, pr);
                 touch.radius = touch.radius.max(touched_to(before, (gap, pr)));
@@ -173,7 +150,6 @@ impl Target {
                 touch.loss -= lossy * (speed(vx) * nx + speed(vr) * nr);
                 projectile.lossy[0] -= lossy * nx;
                 touch.energy += area * pressed.energy;
-                touch.traction = touch.traction.max(pressed.traction * left);
                 touch.used_up = touch.used_up.max(object.surface.used_up(gap));
                 touch.force += force * nx;
                 fx[i] += (1.0 - s) * force * nx;
@@ -214,12 +190,11 @@ impl Target {
         const PIECES: usize = 1000;
         let mut shares = vec![0.0; eye.mesh.shell.len()];
         for (i, ends) in eye.mesh.shell.windows(2).enumerate() {
-            let ((xa, ra), (xb, rb)) = (eye.at(ends[0]), eye.at(ends[1]));
-            let length = libm::hypot(xb - xa, rb - ra);
-            for piece in 0..PIECES {
-                let s = (piece as f64 + 0.5) / PIECES as f64;
-                let (x, r) = (xa + s * (xb - xa), ra + s * (rb - ra));
-                if libm::atan2(r, -x) < half_width {
+            let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
+            let length = distance(b, a);
+            for s in (0..PIECES).map(|piece| part(piece, PIECES)) {
+                let (x, r) = (a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1));
+                if front_angle((x, r)) < half_width {
                     shares[i] += (1.0 - s) * r * length;
                     shares[i + 1] += s * r * length;
                 }

@@ -27,7 +27,6 @@ const BONE: f64 = 2e11;
 const COURANT: f64 = 0.4 / 0.6;
 
 /// A plane of rings.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Face {
     /// Place of the face along the line of the blow, m.
     x: f64,
@@ -36,7 +35,6 @@ pub(crate) struct Face {
 }
 
 /// What it does to an object.
-#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Push {
     /// Force against the way of the projectile, N.
     pub force: f64,
@@ -48,17 +46,13 @@ pub(crate) struct Push {
 
 impl Face {
     /// What lies at `x` beyond an opening of radius `inner`, m.
-    pub fn beyond(x: f64, inner: f64) -> Self {
+    pub fn beyond((x, inner): (f64, f64)) -> Self {
         let radii = std::iter::successors(Some(inner), |r| Some(r * SPACING));
-        let edges = |r: f64| (r / SPACING.sqrt(), r * SPACING.sqrt());
-        let rings = radii
-            .take_while(|r| *r < FARTHEST)
-            .map(|r| {
-                let (from, to) = edges(r);
-                (r, PI * (to * to - from.max(inner).powi(2)))
-            })
-            .collect();
-        Self { x, rings }
+        let ring = |r: f64| {
+            let (from, to) = (r / SPACING.sqrt(), r * SPACING.sqrt());
+            (r, PI * (to * to - from.max(inner).powi(2)))
+        };
+        Self { x, rings: radii.take_while(|r| *r < FARTHEST).map(ring).collect() }
     }
 
     /// A plane without an opening, in `count` rings of the same width up to `outer` m.
@@ -69,8 +63,7 @@ impl Face {
             let r = (i as f64 + 0.5) * width;
             (r, 2.0 * PI * r * width)
         };
-        let rings = (0..count).map(ring).collect();
-        Self { x, rings }
+        Self { x, rings: (0..count).map(ring).collect() }
     }
 
     /// Whether an object that arrives with its centre or face at `centre` overlaps it.
@@ -78,8 +71,7 @@ impl Face {
         self.rings.iter().any(|&(r, _)| self.gap(object, [centre; 2], r).0 > 0.0)
     }
 
-    /// Depth of a ring below the surface of an object, and how it grows as the surface's and the
-    /// core's centres move.
+    /// Depth of a ring below an object's surface, and how it grows as surface and core move.
     fn gap(&self, object: &Object, centres: [f64; 2], r: f64) -> (f64, [f64; 2]) {
         let squeeze = (centres[1] - centres[0]).max(0.0);
         let ObjectOutline::Sphere(radius) = object.outline else {

@@ -3,9 +3,8 @@
 pub mod cell;
 pub mod contact;
 pub mod face;
-pub mod nodes;
 pub mod object;
-pub mod object_spring;
+pub(crate) mod object_spring;
 pub mod plain;
 pub mod quads;
 pub mod rows;

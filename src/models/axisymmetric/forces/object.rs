@@ -22,14 +22,12 @@
 //! they closed, and near the turning point it goes smoothly from one to the other. A ball that
 //! bursts or flows (e = 0) gives back nothing.
 
-use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
+use crate::models::axisymmetric::forces::object_spring::{Core, hysteresis};
 use crate::run::drawing::DrawnObject;
 use nalgebra::Vector2;
 
 /// Stiffness of contact between hard things, in Pa/m.
 pub const HARD: f64 = 2e12;
-/// Share of the mass that is the surface of an object on a spring.
-pub(crate) const SURFACE_SHARE: f64 = 0.05;
 /// Depth of the foundation of a solid ball and of one with a cap, over its radius. Less than 1, so
 /// that the middle of a ball stays in front of the eye.
 const SOLID_DEPTH: f64 = 0.7;
@@ -48,22 +46,6 @@ const AHEAD: f64 = 3e-6;
 const NEARLY: f64 = 0.9;
 /// A liquid has come to its pressure where this share of its radius is used up.
 const SPLASH: f64 = 0.05;
-
-/// Speed of opening over the speed of arrival at which all of the loss is felt.
-const FULL_LOSS: f64 = 0.1;
-
-/// How much of a force is left at a speed of `closing`, m/s, of something that gives back the
-/// share `kept` of its energy and came at `speed`; and how fast that changes with closing, in s/m.
-#[inline]
-pub(crate) fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
-    let full = FULL_LOSS * speed;
-    if kept >= 1.0 || full <= 0.0 {
-        (1.0, 0.0)
-    } else {
-        let opening = (-closing / full).clamp(0.0, 1.0);
-        (1.0 - (1.0 - kept) * opening, (1.0 - kept) / full)
-    }
-}
 
 /// Outline, with the axis of symmetry along its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,7 +82,7 @@ impl ObjectOutline {
 pub struct ObjectSurface {
     /// At small gaps, in Pa/m.
     pub stiffness: f64,
-    /// Depth of the foundation, in m; `None` is as deep as it needs to be.
+    /// Depth of the foundation, in m; `None` is as deep as it needs to be, without a cap.
     pub depth: Option<f64>,
     /// Traction at which a hollow, crushable or bursting object gives way, in Pa.
     pub cap: Option<f64>,
@@ -123,8 +105,7 @@ impl ObjectSurface {
     /// A surface that hardly gives way.
     pub const RIGID: Self = Self { stiffness: HARD, depth: None, cap: None, restitution: 1.0 };
 
-    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E,
-    /// and a depth of 0.7 R.
+    /// A solid body of this modulus (Pa) and radius (m): compliances in series, 1/k = 1/hard + R/E.
     pub fn elastic(modulus: f64, radius: f64) -> Self {
         Self::foundation(modulus / radius, radius)
     }
@@ -161,8 +142,7 @@ impl ObjectSurface {
         Self { restitution, ..self }
     }
 
-    /// How much of the traction is left at a speed of closing, and how fast that changes with it,
-    /// s/m.
+    /// How much of the traction is left at a speed of closing, and its change with that, s/m.
     pub(crate) fn hysteresis(&self, speed: f64, closing: f64) -> (f64, f64) {
         hysteresis(self.restitution * self.restitution, speed, closing)
     }
@@ -178,8 +158,7 @@ impl ObjectSurface {
         }
     }
 
-    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as the core
-    /// behind it.
+    /// The share of what gives way that is used up at a gap: from 1 on it is as hard as its core.
     pub(crate) fn used_up(&self, gap: f64) -> f64 {
         self.depth.map_or(0.0, |depth| gap / (CORE_BEYOND * depth))
     }
@@ -203,10 +182,10 @@ impl ObjectSurface {
 
     fn within(&self, gap: f64) -> PressedSurface {
         let k = self.stiffness;
+        let Some(depth) = self.depth else {
+            return PressedSurface { energy: 0.5 * k * gap * gap, traction: k * gap, slope: k };
+        };
         let Some(cap) = self.cap else {
-            let Some(depth) = self.depth else {
-                return PressedSurface { energy: 0.5 * k * gap * gap, traction: k * gap, slope: k };
-            };
             let left = 1.0 - gap / depth;
             return PressedSurface {
                 energy: k * depth * depth * (left - 1.0 - libm::log(left)),
@@ -219,9 +198,6 @@ impl ObjectSurface {
             energy: cap * (gap - cap / k * libm::log(over)),
             traction: k * gap / over,
             slope: k / (over * over),
-        };
-        let Some(depth) = self.depth else {
-            return pressed;
         };
         let rest = (1.0 - PLATEAU) * depth;
         let w = (gap - PLATEAU * depth) / rest;
@@ -260,8 +236,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// Distance from the object's centre, or from the cylinder's face, to its frontmost point, in
-    /// m.
+    /// Distance from the centre, or from a cylinder's face, to the frontmost point, in m.
     pub fn reach(&self) -> f64 {
         match self.outline {
             ObjectOutline::Sphere(radius) => radius,
@@ -324,7 +299,7 @@ pub(crate) struct MovingObject {
     pub lossy: [f64; 2],
     /// kg.
     pub mass: [f64; 2],
-    spring: Option<(ObjectSpring, f64)>,
+    core: Core,
     /// Speed of arrival, m/s.
     speed: f64,
     /// Longest stable step of the spring, s.
@@ -334,18 +309,14 @@ pub(crate) struct MovingObject {
 impl MovingObject {
     /// An object whose frontmost point is at `front`.
     pub fn new(object: &Object, front: f64) -> Self {
-        let spring = object.spring.map(|spring| {
-            let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
-            (law, spring.restitution * spring.restitution)
-        });
-        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
+        let core = Core::new(object);
         Self {
             x: [front - object.reach(); 2],
             v: [object.speed; 2],
             force: [0.0; 2],
             lossy: [0.0; 2],
-            mass: [surface, object.mass - surface],
-            spring,
+            mass: core.mass,
+            core,
             speed: object.speed,
             limit: f64::INFINITY,
         }
@@ -354,10 +325,10 @@ impl MovingObject {
     /// Sets the forces to those of the spring.
     pub fn inner(&mut self) {
         (self.force, self.lossy) = ([0.0; 2], [0.0; 2]);
-        let Some((law, kept)) = self.spring else {
+        let Some((law, kept)) = self.core.spring else {
             return;
         };
-        let squeezed = law.at(self.x[1] - self.x[0]);
+        let squeezed = law.at(self.squeezed());
         let closing = self.v[1] - self.v[0];
         // Drawn out it loses as when squeezed, on its way back.
         let (left, slope) = hysteresis(kept, self.speed, closing * squeezed.force.signum());
@@ -365,11 +336,7 @@ impl MovingObject {
         self.force = [force, -force];
         let lossy = force - squeezed.force;
         self.lossy = [lossy, -lossy];
-        // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
-        let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
-        let w = (squeezed.slope / reduced).sqrt();
-        let z = 0.5 * squeezed.force.abs() * slope / (w * reduced);
-        self.limit = 2.0 / w * ((1.0 + z * z).sqrt() - z);
+        self.limit = self.core.limit(&squeezed, slope);
     }
 
     /// How much the spring is squeezed, m.
@@ -384,7 +351,7 @@ impl MovingObject {
 
     /// Energy of the spring, J.
     pub fn stored(&self) -> f64 {
-        self.spring.map_or(0.0, |(law, _)| law.at(self.x[1] - self.x[0]).energy)
+        self.core.stored(self.squeezed())
     }
 
     /// Kinetic energy of the velocities, J; with `kick` s of the forces the one at full steps.
@@ -400,8 +367,7 @@ impl MovingObject {
 
     /// How far in front of where it is its surface may yet swing, m.
     pub fn swing(&self) -> f64 {
-        let apart = self.v[1] - self.v[0];
-        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+        self.core.swing(self.v[1] - self.v[0], self.squeezed())
     }
 
     pub fn momentum(&self) -> f64 {

@@ -8,19 +8,37 @@
 //! which grows without end as u comes to W, so that the object stays [`LEAST`] of its diameter
 //! thick at least, whatever its speed. Force and slope have no jump.
 //!
-//! Left out: loss (a real ball gives back a half to three quarters of its energy), and a wall that
-//! buckles and so softens before it stiffens (Cross 1999 for tennis balls).
+//! Left out: a wall that buckles and so softens before it stiffens (Cross 1999 for tennis balls).
+
+use crate::models::axisymmetric::forces::object::Object;
 
 /// Share of the diameter up to which the spring is linear.
 const LINEAR: f64 = 0.5;
 /// Share of the diameter that is left when no force is enough.
 const LEAST: f64 = 0.1;
+/// Share of the mass that is the surface of an object on a spring.
+const SURFACE_SHARE: f64 = 0.05;
+/// Speed of opening over the speed of arrival at which all of the loss is felt.
+const FULL_LOSS: f64 = 0.1;
+
+/// How much of a force is left at a speed of `closing`, m/s, of something that gives back the
+/// share `kept` of its energy and came at `speed`; and how fast that changes with closing, in s/m.
+#[inline]
+pub(crate) fn hysteresis(kept: f64, speed: f64, closing: f64) -> (f64, f64) {
+    let full = FULL_LOSS * speed;
+    if kept >= 1.0 || full <= 0.0 {
+        (1.0, 0.0)
+    } else {
+        let opening = (-closing / full).clamp(0.0, 1.0);
+        (1.0 - (1.0 - kept) * opening, (1.0 - kept) / full)
+    }
+}
 
 /// The spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ObjectSpring {
+pub(crate) struct ObjectSpring {
     /// Stiffness while it is linear, in N/m.
-    pub stiffness: f64,
+    stiffness: f64,
     /// Compression at which it ceases to be linear, in m.
     linear: f64,
     /// Compression that is left from there, in m.
@@ -29,7 +47,7 @@ pub struct ObjectSpring {
 
 /// What the spring gives at one compression.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Squeezed {
+pub(crate) struct Squeezed {
     /// J; infinite beyond what is possible.
     pub energy: f64,
     /// N, against the compression.
@@ -75,6 +93,45 @@ impl ObjectSpring {
             force: k * (self.linear + beyond / (left * left)),
             slope: k * (2.0 - left) / left.powi(3),
         }
+    }
+}
+
+/// The spring between surface and core, and what the two weigh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Core {
+    /// Its law and the share of its energy that it gives back; none of a body that is all surface.
+    pub spring: Option<(ObjectSpring, f64)>,
+    /// Of surface and core, kg.
+    pub mass: [f64; 2],
+}
+
+impl Core {
+    pub fn new(object: &Object) -> Self {
+        let spring = object.spring.map(|spring| {
+            let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
+            (law, spring.restitution * spring.restitution)
+        });
+        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
+        Self { spring, mass: [surface, object.mass - surface] }
+    }
+
+    /// Energy of the spring, J, squeezed by so many m.
+    pub fn stored(&self, squeezed: f64) -> f64 {
+        self.spring.map_or(0.0, |(law, _)| law.at(squeezed).energy)
+    }
+
+    /// See [`ObjectSpring::swing`]; none of a body that is all surface.
+    pub fn swing(&self, apart: f64, squeezed: f64) -> f64 {
+        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, squeezed))
+    }
+
+    /// The longest stable step, s, of the squeezed spring, whose loss changes by `slope` per m/s.
+    pub fn limit(&self, squeezed: &Squeezed, slope: f64) -> f64 {
+        // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
+        let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
+        let w = (squeezed.slope / reduced).sqrt();
+        let z = 0.5 * squeezed.force.abs() * slope / (w * reduced);
+        2.0 / w * ((1.0 + z * z).sqrt() - z)
     }
 }
 

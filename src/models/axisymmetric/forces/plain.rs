@@ -6,7 +6,6 @@ use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
 use crate::models::axisymmetric::{forces::cell::Rest, recording::sensor};
 
 /// Cells with lists of corners.
-#[derive(Debug, Clone)]
 pub(crate) struct PlainCells {
     eye: AxisymmetricEye,
     cells: Vec<(Rest, [usize; 4])>,
@@ -26,9 +25,7 @@ impl PlainCells {
             eye: eye.clone(),
         }
     }
-}
 
-impl PlainCells {
     /// Elastic energy with node n at `at(n)`, J.
     pub fn energy(&self, at: impl Fn(usize) -> (f64, f64)) -> f64 {
         let stored = |(rest, corners): &(Rest, [usize; 4])| rest.energy(corners.map(&at));
@@ -38,22 +35,8 @@ impl PlainCells {
 
 impl Cells for PlainCells {
     fn rest(&self) -> NodeState {
-        let mesh = &self.eye.mesh;
-        let free = |i: usize| {
-            if self.eye.fixed[i] { 0.0 } else { 1.0 / self.eye.mass[i] }
-        };
-        let n = mesh.x.len();
-        NodeState {
-            x: mesh.x.clone(),
-            r: mesh.r.clone(),
-            vx: vec![0.0; n],
-            vr: vec![0.0; n],
-            fx: vec![0.0; n],
-            fr: vec![0.0; n],
-            free_x: (0..n).map(free).collect(),
-            free_r: (0..n).map(|i| if mesh.r[i] == 0.0 { 0.0 } else { free(i) }).collect(),
-            shell: mesh.shell[0]..mesh.shell[0] + mesh.shell.len(),
-        }
+        let owners: Vec<_> = (0..self.eye.mass.len()).map(Some).collect();
+        NodeState::new(&self.eye, &owners, self.eye.mesh.shell[0])
     }
 
     fn place(&self, node: usize) -> usize {
@@ -61,14 +44,8 @@ impl Cells for PlainCells {
     }
 
     fn forces(&mut self, state: &mut NodeState) -> CellSums {
-        let mut sums = CellSums {
-            limit: f64::INFINITY,
-            loss: 0.0,
-            pressure: 0.0,
-            sensor: 0.0,
-            volume: 0.0,
-            least_corner: f64::INFINITY,
-        };
+        let none = f64::INFINITY;
+        let mut sums = CellSums { limit: none, least_corner: none, ..CellSums::default() };
         state.fx.fill(0.0);
         state.fr.fill(0.0);
         for (i, (rest, corners)) in self.cells.iter().enumerate() {

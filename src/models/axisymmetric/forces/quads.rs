@@ -1,4 +1,5 @@
-//! The mechanics of [`crate::models::axisymmetric::forces::cell`] for many cells at once.
+//! The mechanics of [`crate::models::axisymmetric::forces::cell`] for many cells at once, and the
+//! nodes of rows, which gather their forces from the cells and move.
 //!
 //! All volumes come from the edges: with w = (xb - xa)(ra^2 + ra rb + rb^2), the quad's volume is
 //! minus the sum over its four edges and a corner triangle's that over two edges and a diagonal,
@@ -6,13 +7,7 @@
 //! all that it bounds. Eight divisions become one by way of the product. No operation is fused and
 //! sums are kept by place, so every vector width gives the same bits.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::cell::{FLAT, SQUEEZED};
-use crate::models::axisymmetric::forces::nodes;
 use crate::models::axisymmetric::forces::rows::{CellGroup, CellRows, RowRun, field};
 use crate::models::axisymmetric::forces::state::{CellSums, NodeState, Totals};
 use crate::models::paper::forces::lanes::{V, load, splat, store};
@@ -23,28 +18,19 @@ use std::f64::consts::FRAC_PI_3;
 /// Radius of a cell at least, in m: where there is no cell, it may be 0.
 const LEAST_RADIUS: f64 = 1e-9;
 
-/// An array of four, written out: a closure would not be compiled for the vectors' instructions.
-macro_rules! four {
-    ($i:ident => $of:expr) => {
-        [
-            {
-                let $i = 0usize;
-                $of
-            },
-            {
-                let $i = 1usize;
-                $of
-            },
-            {
-                let $i = 2usize;
-                $of
-            },
-            {
-                let $i = 3usize;
-                $of
-            },
-        ]
+/// An array, written out: a closure would not be compiled for the vectors' instructions.
+macro_rules! written_out {
+    ($i:ident => $of:expr; $($place:literal)*) => {
+        [$({
+            let $i: usize = $place;
+            $of
+        }),*]
     };
+}
+pub(crate) use written_out;
+
+macro_rules! four {
+    ($i:ident => $of:expr) => { written_out!($i => $of; 0 1 2 3) };
 }
 
 /// x and r, or along x and along r, of a corner.
@@ -89,8 +75,7 @@ impl<S: Simd> Edge<S> {
     }
 }
 
-/// of^(-2/3), for positive numbers. A third of the exponent by shifts, and an iteration of third
-/// order.
+/// of^(-2/3) where that is positive: a third of the exponent by shifts, a third-order iteration.
 #[inline(always)]
 pub(crate) fn inverse_cube_root_squared<S: Simd>(simd: S, of: V<S>) -> V<S> {
     /// Bits of 1 times 4/3, less what makes the largest error of the first guess least.
@@ -133,9 +118,54 @@ pub(crate) fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeStat
                 }
             }
         }
-        nodes::gather(simd, rows, run, state);
+        gather(simd, rows, run, state);
     }
     totals.sums()
+}
+
+/// What the four cells around each node have left for it.
+#[inline(always)]
+fn gather<S: Simd>(simd: S, rows: &CellRows, run: RowRun, state: &mut NodeState) {
+    let [c0, c1, c2, c3] = &rows.corners;
+    for i in (0..run.node_places).step_by(V::<S>::LEN) {
+        let at = run.corners + i;
+        let fx = around(simd, [&c0.0, &c1.0, &c2.0, &c3.0], at, run.columns);
+        let fr = around(simd, [&c0.1, &c1.1, &c2.1, &c3.1], at, run.columns);
+        store::<S>(&mut state.fx, run.nodes + i, fx);
+        store::<S>(&mut state.fr, run.nodes + i, fr);
+    }
+}
+
+#[inline(always)]
+fn around<S: Simd>(simd: S, of: [&[f64]; 4], at: usize, columns: usize) -> V<S> {
+    let low = load(simd, of[0], at) + load(simd, of[1], at - 1);
+    low + (load(simd, of[3], at - columns) + load(simd, of[2], at - columns - 1))
+}
+
+/// Kicks velocities over `kick` s, then moves nodes over `drift` s.
+#[inline(always)]
+pub(crate) fn advance<S: Simd>(simd: S, state: &mut NodeState, kick: f64, drift: f64) {
+    let by = (kick, drift);
+    move_along(simd, &mut state.x, &mut state.vx, &state.fx, &state.free_x, by);
+    move_along(simd, &mut state.r, &mut state.vr, &state.fr, &state.free_r, by);
+}
+
+#[inline(always)]
+fn move_along<S: Simd>(
+    simd: S,
+    x: &mut [f64],
+    v: &mut [f64],
+    f: &[f64],
+    free: &[f64],
+    (kick, drift): (f64, f64),
+) {
+    for i in (0..x.len()).step_by(V::<S>::LEN) {
+        let force = load(simd, f, i) * load(simd, free, i);
+        let speed = load(simd, v, i) + splat(simd, kick) * force;
+        store::<S>(v, i, speed);
+        let to = load(simd, x, i) + splat(simd, drift) * speed;
+        store::<S>(x, i, to);
+    }
 }
 
 /// Forces of some cells on their corners.

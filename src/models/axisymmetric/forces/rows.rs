@@ -11,7 +11,7 @@
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
 use crate::models::axisymmetric::forces::state::{CellSums, Cells, NodeState};
-use crate::models::axisymmetric::forces::{cell, cell::Rest, nodes, quads};
+use crate::models::axisymmetric::forces::{cell, cell::Rest, quads};
 use crate::models::axisymmetric::recording::sensor;
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
@@ -20,51 +20,30 @@ use std::f64::consts::FRAC_PI_3;
 
 /// What is constant of a cell.
 pub(crate) mod field {
-    /// m3 over pi/3.
-    pub const VOLUME: usize = 0;
-    /// Volumes of the four corner triangles, m3 over pi/3.
-    pub const TRIANGLE: usize = 1;
+    pub const VOLUME: usize = 0; // m3 over pi/3.
+    pub const TRIANGLE: usize = 1; // Volumes of the four corner triangles, m3 over pi/3.
     pub const INVERSE_TRIANGLE: usize = 5;
-    /// Inverse of the matrix of the diagonals, row by row.
-    pub const DIAGONAL: usize = 9;
+    pub const DIAGONAL: usize = 9; // Inverse of the matrix of the diagonals, row by row.
     pub const INVERSE_RADIUS: usize = 13;
-    /// 1/(2 area).
-    pub const INVERSE_DET: usize = 14;
-    /// Least 2 area that counts.
-    pub const LEAST_DET: usize = 15;
+    pub const INVERSE_DET: usize = 14; // 1/(2 area).
+    pub const LEAST_DET: usize = 15; // Least 2 area that counts.
     pub const BULK: usize = 16;
-    /// Shear modulus times volume, J.
-    pub const SHEAR: usize = 17;
-    /// Twice the viscosity.
-    pub const VISCOSITY: usize = 18;
-    /// A sixth of the stiffness against folding, Pa.
-    pub const SUBZONAL: usize = 19;
-    /// Artificial viscosity per length and rate.
-    pub const LINEAR: usize = 20;
-    /// Artificial viscosity per square of length and of rate.
-    pub const QUADRATIC: usize = 21;
-    /// Half the viscosity of the corners per length.
-    pub const CORNER: usize = 22;
-    /// Squared speed of sound.
-    pub const BULK_SPEED: usize = 23;
-    /// What other stiffness adds to it.
-    pub const OTHER_SPEED: usize = 24;
-    /// Viscous speed that does not depend on the state.
-    pub const CONSTANT_SPEED: usize = 25;
-    /// Kinematic viscosity.
-    pub const KINEMATIC: usize = 26;
-    /// Part of the viscous speed per length and rate.
-    pub const QUADRATIC_SPEED: usize = 27;
-    /// Weight in the mean pressure of the globe.
-    pub const MEAN: usize = 28;
-    /// Weight in the pressure at the back.
-    pub const SENSOR: usize = 29;
-    /// 1 for a cell of the globe.
-    pub const GLOBE: usize = 30;
-    /// Longest steps over the time in which a triangle would be gone.
-    pub const SHRINKING: usize = 31;
-    /// 0, or so much that a triangle is never the least.
-    pub const ABSENT: usize = 32;
+    pub const SHEAR: usize = 17; // Shear modulus times volume, J.
+    pub const VISCOSITY: usize = 18; // Twice the viscosity.
+    pub const SUBZONAL: usize = 19; // A sixth of the stiffness against folding, Pa.
+    pub const LINEAR: usize = 20; // Artificial viscosity per length and rate.
+    pub const QUADRATIC: usize = 21; // Artificial viscosity per square of length and of rate.
+    pub const CORNER: usize = 22; // Half the viscosity of the corners per length.
+    pub const BULK_SPEED: usize = 23; // Squared speed of sound.
+    pub const OTHER_SPEED: usize = 24; // What other stiffness adds to it.
+    pub const CONSTANT_SPEED: usize = 25; // Viscous speed that does not depend on the state.
+    pub const KINEMATIC: usize = 26; // Kinematic viscosity.
+    pub const QUADRATIC_SPEED: usize = 27; // Part of the viscous speed per length and rate.
+    pub const MEAN: usize = 28; // Weight in the mean pressure of the globe.
+    pub const SENSOR: usize = 29; // Weight in the pressure at the back.
+    pub const GLOBE: usize = 30; // 1 for a cell of the globe.
+    pub const SHRINKING: usize = 31; // Longest steps over the time until a triangle would be gone.
+    pub const ABSENT: usize = 32; // 0, or so much that a triangle is never the least.
     pub const COUNT: usize = 33;
 }
 
@@ -97,7 +76,6 @@ pub(crate) struct RowRun {
 pub(crate) type Corners = [(Aligned, Aligned); 4];
 
 /// The cells of an eye in rows.
-#[derive(Debug, Clone)]
 pub(crate) struct CellRows {
     pub runs: Vec<RowRun>,
     pub groups: Vec<CellGroup>,
@@ -153,19 +131,18 @@ impl CellRows {
         let widest = runs.iter().map(|r| r.columns).max().unwrap_or(0);
         owners.resize((nodes + widest + 1 + LANES).next_multiple_of(LANES), None);
 
-        let mut rows = Self {
-            groups: Vec::new(),
+        let (groups, places_of_cells) = groups(eye, &runs, cells);
+        Self {
+            groups,
             corners: std::array::from_fn(|_| (Aligned::zeros(corners), Aligned::zeros(corners))),
             pressures: Aligned::zeros(cells),
             level,
-            rest: rest(eye, &owners, places[eye.mesh.shell[0]]),
+            rest: NodeState::new(eye, &owners, places[eye.mesh.shell[0]]),
             places,
-            cells: Vec::new(),
+            cells: places_of_cells,
             twins,
             runs,
-        };
-        rows.put_cells(eye);
-        rows
+        }
     }
 
     /// Brings both places of a node together.
@@ -177,39 +154,36 @@ impl CellRows {
             }
         }
     }
+}
 
-    fn put_cells(&mut self, eye: &AxisymmetricEye) {
-        let weights = sensor::weights(eye);
-        // A place without a cell has the shape of some cell, so that all stays finite.
-        let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
-        let group = CellGroup(std::array::from_fn(|f| [empty[f]; LANES]));
-        self.groups = vec![group; self.pressures.len() / LANES];
-        let mut cell = 0;
-        for (run, block) in self.runs.iter().zip(&eye.mesh.blocks) {
-            for low in 0..block.nodes.len() - run.columns {
-                if low % run.columns == run.columns - 1 {
-                    continue;
-                }
-                let place = run.cells + low;
-                let mut one = constants(&Rest::new(eye, &eye.cells[cell]));
-                (one[field::MEAN], one[field::SENSOR]) = weights[cell];
-                if eye.cells[cell].region == Tissue::Globe {
-                    one[field::GLOBE] = FRAC_PI_3;
-                }
-                for (lanes, value) in self.groups[place / LANES].0.iter_mut().zip(one) {
-                    lanes[place % LANES] = value;
-                }
-                self.cells.push(place);
-                cell += 1;
-            }
+/// The constants of so many places of cells, and the place of each cell.
+fn groups(eye: &AxisymmetricEye, runs: &[RowRun], count: usize) -> (Vec<CellGroup>, Vec<usize>) {
+    // A place without a cell has the shape of some cell, so that all stays finite.
+    let empty = absent(constants(&Rest::new(eye, &eye.cells[0])));
+    let mut groups = vec![CellGroup(empty.map(|value| [value; LANES])); count / LANES];
+    let places = runs.iter().zip(&eye.mesh.blocks).flat_map(|(run, block)| {
+        let places = 0..block.nodes.len() - run.columns;
+        // The last of a row spans to the next one.
+        places.filter(|low| (low + 1) % run.columns > 0).map(|low| run.cells + low)
+    });
+    let places: Vec<usize> = places.collect();
+    for ((cell, weights), place) in eye.cells.iter().zip(sensor::weights(eye)).zip(&places) {
+        let mut one = constants(&Rest::new(eye, cell));
+        (one[field::MEAN], one[field::SENSOR]) = weights;
+        if cell.region == Tissue::Globe {
+            one[field::GLOBE] = FRAC_PI_3;
+        }
+        for (lanes, value) in groups[place / LANES].0.iter_mut().zip(one) {
+            lanes[place % LANES] = value;
         }
     }
+    (groups, places)
 }
 
 fn constants(rest: &Rest) -> Constants {
     let mut c = [0.0; field::COUNT];
-    let density = rest.density;
-    let sound = (rest.bulk / density).sqrt();
+    let density = rest.material.density;
+    let sound = (rest.material.bulk / density).sqrt();
     let corner_sound = (cell::SUBZONAL_BULK / density).sqrt();
     c[field::VOLUME] = rest.volume / FRAC_PI_3;
     for i in 0..4 {
@@ -220,21 +194,21 @@ fn constants(rest: &Rest) -> Constants {
     c[field::INVERSE_RADIUS] = 1.0 / rest.radius;
     c[field::INVERSE_DET] = 0.5 / rest.area;
     c[field::LEAST_DET] = cell::FLAT * 2.0 * rest.area;
-    c[field::BULK] = rest.bulk;
-    c[field::SHEAR] = rest.shear * rest.volume;
-    c[field::VISCOSITY] = 2.0 * rest.viscosity;
+    c[field::BULK] = rest.material.bulk;
+    c[field::SHEAR] = rest.material.shear * rest.volume;
+    c[field::VISCOSITY] = 2.0 * rest.material.viscosity;
     c[field::SUBZONAL] = rest.subzonal / 6.0;
     c[field::LINEAR] = cell::LINEAR * density * sound;
     c[field::QUADRATIC] = cell::QUADRATIC * density;
     c[field::CORNER] = 0.5 * cell::SUBZONAL_VISCOSITY * density * corner_sound;
     // Speeds count for the bound of the step alone.
     let slower = 1.0 / cell::ASSEMBLED;
-    c[field::BULK_SPEED] = slower * slower * rest.bulk / density;
-    let other = (4.0 / 3.0 * rest.shear + rest.subzonal) / density;
+    c[field::BULK_SPEED] = slower * slower * rest.material.bulk / density;
+    let other = (4.0 / 3.0 * rest.material.shear + rest.subzonal) / density;
     c[field::OTHER_SPEED] = slower * slower * other;
     let constant = cell::LINEAR * sound + 4.0 * cell::SUBZONAL_VISCOSITY * corner_sound;
     c[field::CONSTANT_SPEED] = slower * constant;
-    c[field::KINEMATIC] = slower * rest.viscosity / density;
+    c[field::KINEMATIC] = slower * rest.material.viscosity / density;
     c[field::QUADRATIC_SPEED] = slower * cell::QUADRATIC;
     c[field::SHRINKING] = 1.0 / cell::LOSS_IN_STEP;
     c
@@ -242,36 +216,10 @@ fn constants(rest: &Rest) -> Constants {
 
 /// Constants of a place without a cell: the given shape without stiffness.
 fn absent(mut c: Constants) -> Constants {
-    for value in &mut c[field::BULK..] {
-        *value = 0.0;
-    }
-    for value in &mut c[field::INVERSE_TRIANGLE..field::INVERSE_TRIANGLE + 4] {
-        *value = 0.0;
-    }
+    c[field::BULK..].fill(0.0);
+    c[field::INVERSE_TRIANGLE..field::INVERSE_TRIANGLE + 4].fill(0.0);
     c[field::ABSENT] = f64::MAX;
     c
-}
-
-fn rest(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> NodeState {
-    let mesh = &eye.mesh;
-    let read = |of: &dyn Fn(usize) -> f64, none: f64| {
-        owners.iter().map(|o| o.map_or(none, of)).collect::<Vec<f64>>()
-    };
-    let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
-    let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
-    let zeros = vec![0.0; owners.len()];
-    NodeState {
-        x: read(&|i| mesh.x[i], 0.0),
-        // Off the axis, as radii are divided by.
-        r: read(&|i| mesh.r[i], eye.parameters.radius),
-        vx: zeros.clone(),
-        vr: zeros.clone(),
-        fx: zeros.clone(),
-        fr: zeros,
-        free_x: read(&free, 0.0),
-        free_r: read(&off_axis, 0.0),
-        shell: shell..shell + mesh.shell.len(),
-    }
 }
 
 impl Cells for CellRows {
@@ -299,7 +247,7 @@ impl Cells for CellRows {
             state.fr[twin] = state.fr[place];
         }
         let level = self.level;
-        dispatch!(level, simd => nodes::advance(simd, state, kick, drift));
+        dispatch!(level, simd => quads::advance(simd, state, kick, drift));
     }
 
     fn pressures(&self) -> Vec<f64> {

@@ -8,9 +8,9 @@
 use crate::models::axisymmetric::eye::AxisymmetricEye;
 use std::f64::consts::PI;
 
-/// Share of the mass of the cells beside the shell that moves with it, per length of a segment:
-/// the bound of the step counts on it.
-const ENTRAINED: f64 = 0.2;
+/// Share of the mass of cells beside it that moves with it, per length of a segment or quad, in the
+/// bound of the step.
+pub(crate) const ENTRAINED: f64 = 0.2;
 /// Courant number of the shell over that of the cells.
 const COURANT: f64 = 0.5 / 0.6;
 
@@ -36,7 +36,6 @@ struct Hinge {
 }
 
 /// The chain.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shell {
     pieces: Vec<Piece>,
     hinges: Vec<Hinge>,
@@ -108,9 +107,8 @@ impl Shell {
         }
     }
 
-    /// Adds the forces of a shell whose nodes are at `x`, `r` to `fx`, `fr`, all from front to
-    /// back, and puts the tension of the sclera in each segment, along and around, in Pa, into
-    /// `tension`.
+    /// Adds its forces to `fx`, `fr`, all from front to back, and puts the tension of the sclera in
+    /// each segment, along and around, in Pa, into `tension`.
     pub fn forces(
         &self,
         (x, r): (&[f64], &[f64]),

@@ -1,5 +1,6 @@
 //! Positions, velocities and forces of the nodes, and what moves them.
 
+use crate::models::axisymmetric::eye::AxisymmetricEye;
 use crate::models::paper::forces::layout::{LANES, Lane};
 use std::ops::Range;
 
@@ -23,7 +24,7 @@ pub(crate) struct NodeState {
 }
 
 /// What the cells say at some instant, beside their forces.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct CellSums {
     /// Longest stable step, s.
     pub limit: f64,
@@ -40,6 +41,7 @@ pub(crate) struct CellSums {
 }
 
 /// Sums of many cells by place in a group of eight.
+#[derive(Default)]
 pub(crate) struct Totals {
     pub loss: Lane,
     pub mean: Lane,
@@ -53,15 +55,7 @@ pub(crate) struct Totals {
 
 impl Totals {
     pub fn new() -> Self {
-        let zeros = [0.0; LANES];
-        Self {
-            loss: zeros,
-            mean: zeros,
-            sensor: zeros,
-            volume: zeros,
-            rate: zeros,
-            corner: [f64::INFINITY; LANES],
-        }
+        Self { corner: [f64::INFINITY; LANES], ..Self::default() }
     }
 
     /// Over all places.
@@ -93,6 +87,34 @@ pub(crate) trait Cells {
 }
 
 impl NodeState {
+    /// At rest: at each place the node that owns it, if one does, and the shell from such a place.
+    pub fn new(eye: &AxisymmetricEye, owners: &[Option<usize>], shell: usize) -> Self {
+        let mesh = &eye.mesh;
+        let read = |of: &dyn Fn(usize) -> f64, none: f64| -> Vec<f64> {
+            owners.iter().map(|o| o.map_or(none, of)).collect()
+        };
+        let free = |i: usize| if eye.fixed[i] { 0.0 } else { 1.0 / eye.mass[i] };
+        let off_axis = |i: usize| if mesh.r[i] == 0.0 { 0.0 } else { free(i) };
+        let zeros = vec![0.0; owners.len()];
+        Self {
+            x: read(&|i| mesh.x[i], 0.0),
+            // Off the axis, as radii are divided by.
+            r: read(&|i| mesh.r[i], eye.parameters.radius),
+            vx: zeros.clone(),
+            vr: zeros.clone(),
+            fx: zeros.clone(),
+            fr: zeros,
+            free_x: read(&free, 0.0),
+            free_r: read(&off_axis, 0.0),
+            shell: shell..shell + mesh.shell.len(),
+        }
+    }
+
+    /// x and r of a place, m.
+    pub fn at(&self, place: usize) -> (f64, f64) {
+        (self.x[place], self.r[place])
+    }
+
     /// Kicks velocities over `kick` s, then moves nodes over `drift` s.
     pub fn advance(&mut self, kick: f64, drift: f64) {
         for i in 0..self.x.len() {

@@ -23,7 +23,6 @@ pub(crate) struct Shape {
 }
 
 /// An object on its way: in m and m/s along the blow.
-#[derive(Debug, Clone, Copy)]
 pub(crate) struct Flight {
     pub intrusion: f64,
     pub middle: f64,
@@ -31,7 +30,6 @@ pub(crate) struct Flight {
 }
 
 /// Readings, energies and traces of a run so far.
-#[derive(Debug, Clone)]
 pub(crate) struct Account {
     pub window: Until,
     /// How long the slowest swing of the eye takes, s.
@@ -68,8 +66,7 @@ pub(crate) trait Recorded {
     type Now;
 
     fn account(&mut self) -> &mut Account;
-    /// Takes the extremes of an instant, by number and time, `step` s after the one before; returns
-    /// the forces of the monitored nodes.
+    /// Takes the extremes of an instant, by number and time; returns the monitored nodes' forces.
     fn read(&mut self, now: &Self::Now, at: (usize, f64), step: f64) -> [f64; 4];
     /// Takes those that are not taken at every step, at the last.
     fn read_last(&mut self, _time: f64) {}
@@ -110,8 +107,7 @@ impl Account {
         }
     }
 
-    /// Extremes of the force on the eye and of what the cells say, at `time`, `step` s after the
-    /// instant before; returns the share that a low pass takes of that step.
+    /// Extremes of the force on the eye and of what the cells say; returns the share of a low pass.
     pub fn read(&mut self, force: f64, cells: &CellSums, (time, step): (f64, f64)) -> f64 {
         let share = LowPass::share(step);
         let e = &mut self.extremes;
@@ -131,8 +127,7 @@ impl Account {
         share
     }
 
-    /// Extremes of what an object has given and how far it has come, from its energy and that of
-    /// its contact with eye and bone, J.
+    /// Extremes by an object, from its energy and that of its contact with eye and bone, J.
     pub fn read_object(
         &mut self,
         energy: f64,
@@ -182,8 +177,7 @@ impl Account {
         self.extremes.energy_imparted = given - flown;
     }
 
-    /// Values of the traces at `time`, where the force on the eye and on the monitored nodes, its
-    /// shape, its tissues and the object are such.
+    /// Adds the values of an instant to the traces.
     pub fn trace(
         &mut self,
         time: f64,
@@ -221,8 +215,7 @@ impl Account {
         }
     }
 
-    /// Compares the energies of the last balance. How often that is done must not depend on what is
-    /// kept.
+    /// Compares the energies of the last balance; never more or less often by what is kept.
     pub fn audit(&mut self) {
         self.came = self.came.max(self.energy_before + self.energy.work.abs());
         let missing = (self.energy.total() - self.energy_before).abs();

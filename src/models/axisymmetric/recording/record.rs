@@ -1,14 +1,11 @@
 //! What is read off the moving eye at each step, and the eye at the instants that frames are due.
 
-use crate::models::axisymmetric::forces::state::NodeState;
 use crate::models::axisymmetric::recording::account::{
     Account, Flight, NODE_MASS, Recorded, Shape,
 };
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
 use crate::models::axisymmetric::time::run::{Instant, Motion};
-use crate::models::axisymmetric::{
-    eye::AxisymmetricEye, forces::cell, forces::object::MovingObject,
-};
+use crate::models::axisymmetric::{forces::cell, forces::object::MovingObject};
 use crate::run::kept::Frame;
 use nalgebra::Point2;
 
@@ -41,9 +38,7 @@ impl Recorded for Motion<'_> {
             }
         }
         self.account.stress = stress;
-        let way = self.way();
-        let growth = now.shell.length / self.shell.rest_length - 1.0;
-        self.shape = shape(self.eye, &self.state, (&self.lens, self.lens_rest), way, growth);
+        self.shape = self.shape(now.shell.length / self.shell.rest_length - 1.0);
         self.account.read_shape(&self.shape, time);
         if let Some((object, projectile)) = &self.object {
             let energy = projectile.kinetic(0.0) + projectile.stored();
@@ -57,15 +52,14 @@ impl Recorded for Motion<'_> {
             self.account.extremes.energy_given.offer(work, time);
         }
         let (eye, cells, state) = (self.eye, &self.cells, &self.state);
-        let at = |node: usize| {
-            let place = cells.place(node);
-            (state.x[place], state.r[place])
-        };
         self.account.fold.record(
             time,
             now.sums.least_corner,
-            |cell| cell::least_triangle(eye, &eye.cells[cell].corners, at),
-            |cell| eye.cells[cell].place(eye),
+            |cell| {
+                let at = |node| state.at(cells.place(node));
+                cell::least_triangle(eye, &eye.cells[cell].corners, at)
+            },
+            |cell| eye.place(cell),
         );
         let accelerations = self.accelerometers.read(&self.state, time - 0.5 * step);
         self.account.read_nodes(accelerations, time)
@@ -73,10 +67,7 @@ impl Recorded for Motion<'_> {
 
     fn balance(&mut self, now: &Instant, kick: f64) {
         let state = &self.state;
-        let stored = self.balance.energy(|node| {
-            let place = self.cells.place(node);
-            (state.x[place], state.r[place])
-        });
+        let stored = self.balance.energy(|node| state.at(self.cells.place(node)));
         let energy = &mut self.account.energy;
         energy.elastic = stored + now.shell.energy;
         energy.contact = now.touch.map_or(0.0, |t| t.energy);
@@ -109,11 +100,8 @@ impl Recorded for Motion<'_> {
         let Some(mut due) = self.frames_due.take() else {
             return Vec::new();
         };
-        let frames = due.take(
-            (time, step),
-            || self.velocities(),
-            |due, before| self.frame(due, time, before),
-        );
+        let frame = |due, before: &[_]| self.frame(due, time, before);
+        let frames = due.take((time, step), || self.velocities(), frame);
         self.frames_due = Some(due);
         frames
     }
@@ -128,6 +116,24 @@ impl Motion<'_> {
         let weighed = self.mass.iter().zip(&self.state.x);
         let moment: f64 = weighed.map(|(m, x)| m * x).sum();
         moment / self.mass.iter().sum::<f64>() - self.middle
+    }
+
+    /// The shape now, where the shell has grown by some share.
+    fn shape(&self, shell_growth: f64) -> Shape {
+        let (eye, state, way) = (self.eye, &self.state, self.way());
+        let shell = state.shell.clone();
+        let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
+        let radius = eye.parameters.radius;
+        let rest = eye.mesh.shell.iter().map(|&n| eye.mesh.r[n]).fold(0.0, f64::max);
+        let widest = state.r[shell].iter().copied().fold(0.0, f64::max);
+        let lens: f64 = self.lens.iter().map(|&(n, s)| s * state.x[n]).sum();
+        Shape {
+            shortening: 1.0 - (back - front) / (2.0 * radius),
+            width_growth: widest / rest - 1.0,
+            shell_growth,
+            apex: front + radius - way,
+            lens: lens - self.lens_rest - way,
+        }
     }
 
     /// The energy of that flight, J, where forces act for `kick` s.
@@ -154,10 +160,8 @@ impl Motion<'_> {
         let (eye, state, back) = (self.eye, &self.state, time - due);
         let position = |node: usize| {
             let place = self.cells.place(node);
-            Point2::new(
-                state.x[place] - back * state.vx[place],
-                state.r[place] - back * state.vr[place],
-            )
+            let (x, r) = state.at(place);
+            Point2::new(x - back * state.vx[place], r - back * state.vr[place])
         };
         let force = |(node, v): (usize, (f64, f64))| {
             let earlier = before.get(node).copied().unwrap_or_default();
@@ -176,27 +180,5 @@ impl Motion<'_> {
             squeezed: projectile.map_or(0.0, MovingObject::squeezed),
             pressure: Some(self.account.pressure()),
         }
-    }
-}
-
-/// The shape of an eye whose shell has grown by some share, and which has flown by `way` m.
-fn shape(
-    eye: &AxisymmetricEye,
-    state: &NodeState,
-    (lens, lens_rest): (&[(usize, f64)], f64),
-    way: f64,
-    shell_growth: f64,
-) -> Shape {
-    let shell = state.shell.clone();
-    let (front, back) = (state.x[shell.start], state.x[shell.end - 1]);
-    let radius = eye.parameters.radius;
-    let widest = |r: &mut dyn Iterator<Item = f64>| r.fold(0.0, f64::max);
-    let rest = widest(&mut eye.mesh.shell.iter().map(|&n| eye.mesh.r[n]));
-    Shape {
-        shortening: 1.0 - (back - front) / (2.0 * radius),
-        width_growth: widest(&mut state.r[shell].iter().copied()) / rest - 1.0,
-        shell_growth,
-        apex: front + radius - way,
-        lens: lens.iter().map(|&(n, s)| s * state.x[n]).sum::<f64>() - lens_rest - way,
     }
 }

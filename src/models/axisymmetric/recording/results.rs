@@ -19,8 +19,7 @@ pub struct Extremes {
     pub back_pressure: Peak,
     /// Pressure at the back as a mean over the 150 us before, Pa.
     pub mean_back_pressure: Peak,
-    /// Tension of the sclera, along or around, whichever is larger, each through a low pass of 20
-    /// us, Pa.
+    /// The larger tension of the sclera, along or around, through a low pass of 20 us, Pa.
     pub scleral_stress: Peak,
     /// Front angle of the place of that stress, rad.
     pub stress_angle: f64,
@@ -74,8 +73,7 @@ impl Extremes {
         Self { least_volume: 1.0, most_volume: 1.0, least_triangle: 1.0, ..Self::default() }
     }
 
-    /// Most energy that the eye was given over the area of the largest contact, J/m2; 0 without
-    /// any.
+    /// Most energy that the eye was given over the area of the largest contact, if any, J/m2.
     pub fn energy_over_contact(&self) -> f64 {
         let area = PI * self.contact_radius * self.contact_radius;
         if area > 0.0 { self.energy_given.value / area } else { 0.0 }
@@ -114,28 +112,23 @@ impl Energy {
     }
 }
 
-/// What the engine gives of one run.
+/// What the engine gives of one run, with extremes `E` and momentum `M`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct EngineRun {
+pub struct EngineRun<E = Extremes, M = f64> {
     /// Largest values over every step.
-    pub extremes: Extremes,
+    pub extremes: E,
     /// Traces, if they were asked for.
     pub traces: Option<Traces>,
     /// Frames, if they were asked for.
     pub frames: Vec<Frame>,
     /// Energies at the end.
     pub energy: Energy,
-    /// Momentum of eye and object along the blow at the end, kg m/s.
-    pub momentum: f64,
+    /// Momentum of eye and object at the end, kg m/s; of the axisymmetric eye along the blow.
+    pub momentum: M,
     /// Steps taken.
     pub steps: usize,
     /// Simulated time, s.
     pub simulated: f64,
-    /// Whether the run ended before its window because nothing had grown for long: a rule, not a
-    /// proof.
+    /// Whether it ended before its window as nothing had grown for long: a rule, not a proof.
     pub settled: bool,
-    /// Evaluations of cells.
-    pub cell_evaluations: usize,
-    /// Evaluations of segments of the shell that an object came near to.
-    pub contact_evaluations: usize,
 }

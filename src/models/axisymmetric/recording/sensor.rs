@@ -1,7 +1,9 @@
 //! What is read off the moving eye as instruments would: a pressure sensor at the back, and
 //! accelerometers at the four monitored places.
 
-use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue, volume};
+use crate::models::axisymmetric::eye::{AxisymmetricEye, Tissue};
+use crate::models::axisymmetric::eye::{distance, front_angle, part, upon};
+use crate::models::axisymmetric::forces::cell::volume;
 use crate::models::axisymmetric::forces::state::NodeState;
 use nalgebra::{SVector, Vector2};
 use std::collections::VecDeque;
@@ -24,31 +26,28 @@ const POINTS: usize = 8;
 
 /// Share of the section of a cell that lies within reach of the sensor.
 fn near(corners: &[(f64, f64); 4]) -> f64 {
-    let [a, b, c, d] = *corners;
     let within = (0..POINTS * POINTS).filter(|i| {
-        let part = |i: usize| (i as f64 + 0.5) / POINTS as f64;
-        let (s, t) = (part(i % POINTS), part(i / POINTS));
-        let at =
-            |a: f64, b: f64, c: f64, d: f64| (1.0 - t) * (a + s * (b - a)) + t * (d + s * (c - d));
-        let (x, r) = (at(a.0, b.0, c.0, d.0), at(a.1, b.1, c.1, d.1));
-        libm::hypot(x - SENSOR_X, r) <= SENSOR_REACH
+        let at = upon(corners, part(i % POINTS, POINTS), part(i / POINTS, POINTS));
+        distance(at, (SENSOR_X, 0.0)) <= SENSOR_REACH
     });
     within.count() as f64 / (POINTS * POINTS) as f64
 }
 
-/// Weight of each cell in the mean pressure of the globe, and in the sensor's: volume at rest, the
-/// sensor's as far as it lies within its reach.
+/// Weight of each cell in the mean pressure of the globe, and in the sensor's.
 pub(crate) fn weights(eye: &AxisymmetricEye) -> Vec<(f64, f64)> {
-    let mut weights: Vec<(f64, f64)> = eye
-        .cells
-        .iter()
-        .map(|cell| {
-            let p = cell.corners.map(|n| eye.at(n));
-            let volume = volume(&p);
-            let globe = if cell.region == Tissue::Globe { volume } else { 0.0 };
-            (globe, near(&p) * globe)
-        })
-        .collect();
+    weighed(eye.cells.iter().map(|cell| {
+        let p = cell.corners.map(|n| eye.at(n));
+        (cell.region, volume(p).0, near(&p))
+    }))
+}
+
+/// Those of cells of such volumes at rest, the sensor's as far as they lie within its reach.
+pub(crate) fn weighed(cells: impl Iterator<Item = (Tissue, f64, f64)>) -> Vec<(f64, f64)> {
+    let weight = |(region, volume, near)| {
+        let globe = if region == Tissue::Globe { volume } else { 0.0 };
+        (globe, near * globe)
+    };
+    let mut weights: Vec<(f64, f64)> = cells.map(weight).collect();
     let total = weights.iter().fold((0.0, 0.0), |t, w| (t.0 + w.0, t.1 + w.1));
     for w in &mut weights {
         *w = (w.0 / total.0, w.1 / total.1);
@@ -78,7 +77,6 @@ impl LowPass {
 }
 
 /// The mean of something over the last while.
-#[derive(Debug, Clone)]
 pub(crate) struct RunningMean {
     pub now: f64,
     /// Length of the mean, in s.
@@ -120,8 +118,7 @@ pub(crate) struct Velocities<const D: usize> {
 }
 
 impl<const D: usize> Velocities<D> {
-    /// By how much they have changed over the last 20 us up to `time` s, at which they are `now`,
-    /// in m/s.
+    /// By how much they have changed over the last 20 us up to `time` s, in m/s.
     pub fn change(&mut self, now: [SVector<f64, D>; 4], time: f64) -> [SVector<f64, D>; 4] {
         self.past.push_back((time, now));
         let start = time - SMOOTHING_S;
@@ -139,7 +136,6 @@ impl<const D: usize> Velocities<D> {
 }
 
 /// The four monitored places and what they have been through.
-#[derive(Debug, Clone)]
 pub(crate) struct Accelerometers {
     places: [Vec<(usize, f64)>; 4],
     velocities: Velocities<2>,
@@ -169,8 +165,7 @@ pub(crate) fn on_shell(
     angle: f64,
     place: impl Fn(usize) -> usize,
 ) -> Vec<(usize, f64)> {
-    let fronts: Vec<f64> =
-        eye.mesh.shell.iter().map(|&n| libm::atan2(eye.at(n).1, -eye.at(n).0)).collect();
+    let fronts: Vec<f64> = eye.mesh.shell.iter().map(|&n| front_angle(eye.at(n))).collect();
     let after = fronts.iter().position(|&f| f > angle);
     let i = after.unwrap_or(fronts.len() - 1).max(1);
     let s = (angle - fronts[i - 1]) / (fronts[i] - fronts[i - 1]);

@@ -12,9 +12,10 @@
 //! Left out: zonules, iris and retina as bodies of their own. Under a blow at an angle these places
 //! are rings about the line of the blow, not the anatomical ones.
 
+use crate::models::axisymmetric::eye::{AxisymmetricEye, distance, front_angle};
+use crate::models::axisymmetric::forces::state::NodeState;
 use crate::models::axisymmetric::recording::results::Extremes;
 use crate::models::axisymmetric::recording::sensor::{LowPass, between, on_shell};
-use crate::models::axisymmetric::{eye::AxisymmetricEye, forces::state::NodeState};
 use std::f64::consts::PI;
 
 /// Front angles between which the wall's largest stretch is looked for, in degrees.
@@ -41,11 +42,12 @@ struct Piece {
 }
 
 /// What the tissues of one eye are read with.
-#[derive(Debug, Clone)]
 pub(crate) struct Tissues {
     equator: Vec<(Piece, LowPass)>,
     back: Vec<Piece>,
-    edge: (Point, f64),
+    edge: Point,
+    /// Its distance from the axis at rest, in m.
+    edge_rest: f64,
     lens: Point,
     /// Where the lens and the iris are held, and how far that is from the lens at rest, in m.
     held: [(Point, f64); 2],
@@ -58,10 +60,6 @@ fn at(point: &[(usize, f64)], x: &[f64], r: &[f64]) -> (f64, f64) {
     point.iter().fold((0.0, 0.0), |(px, pr), &(place, share)| {
         (px + share * x[place], pr + share * r[place])
     })
-}
-
-fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
-    libm::hypot(a.0 - b.0, a.1 - b.1)
 }
 
 /// Share of a stretch of front angles that lies within limits in degrees.
@@ -80,10 +78,9 @@ impl Tissues {
         let (x, r) = (&state.x, &state.r);
         let segments = eye.mesh.shell.windows(2).map(|ends| {
             let (a, b) = (eye.at(ends[0]), eye.at(ends[1]));
-            let front = |p: (f64, f64)| libm::atan2(p.1, -p.0);
             let length = distance(a, b);
             let piece = Piece { first: place(ends[0]), length, weight: length * PI * (a.1 + b.1) };
-            ((front(a), front(b)), piece)
+            ((front_angle(a), front_angle(b)), piece)
         });
         let (mut equator, mut back) = (Vec::new(), Vec::new());
         for (angles, piece) in segments {
@@ -102,26 +99,20 @@ impl Tissues {
         let lens = between(eye, LENS_EQUATOR, place);
         let edge = on_shell(eye, EDGE_DEG.to_radians(), place);
         let root = on_shell(eye, IRIS_DEG.to_radians(), place);
-        let from_lens = |point: Point| {
-            let rest = distance(at(&point, x, r), at(&lens, x, r));
-            (point, rest)
-        };
+        let from_lens = |of: &Point| (of.clone(), distance(at(of, x, r), at(&lens, x, r)));
         Self {
             equator,
             back,
-            held: [edge.clone(), root].map(from_lens),
-            edge: {
-                let rest = at(&edge, x, r).1;
-                (edge, rest)
-            },
+            held: [&edge, &root].map(from_lens),
+            edge_rest: at(&edge, x, r).1,
+            edge,
             lens,
             passed: [LowPass::default(); 4],
             now: [0.0; 5],
         }
     }
 
-    /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers
-    /// them to the extremes.
+    /// Offers them to the extremes at `time`, in s; `share` is that of a low pass.
     pub fn read(&mut self, state: &NodeState, share: f64, time: f64, extremes: &mut Extremes) {
         let (x, r) = (&state.x[..], &state.r[..]);
         let stretch = |piece: &Piece| {
@@ -134,11 +125,10 @@ impl Tissues {
             largest = largest.max(passed.pass(stretch(piece), share));
         }
         let back: f64 = self.back.iter().map(|p| p.weight * stretch(p)).sum();
-        let (edge, rest) = &self.edge;
-        let edge = at(edge, x, r).1 / rest - 1.0;
+        let edge = at(&self.edge, x, r).1 / self.edge_rest - 1.0;
         let lens = at(&self.lens, x, r);
-        let pulled = |(point, rest): &(Point, f64)| distance(at(point, x, r), lens) - rest;
-        let [lens, iris] = [pulled(&self.held[0]), pulled(&self.held[1])];
+        let [lens, iris] =
+            self.held.each_ref().map(|(of, rest)| distance(at(of, x, r), lens) - rest);
         let raw = [back, edge, lens, iris];
         self.now[0] = largest;
         for ((now, passed), raw) in self.now[1..].iter_mut().zip(&mut self.passed).zip(raw) {
@@ -156,8 +146,7 @@ mod tests {
     use crate::models::axisymmetric::forces::state::Cells;
     use crate::models::axisymmetric::{eye::parameters::Parameters, forces::plain::PlainCells};
 
-    /// What is read where each node has gone from (x, r) to where `moved` says, once a low pass
-    /// has nothing left to wait for.
+    /// What is read where each node has gone from (x, r) to `moved`, once a low pass is over.
     fn read(level: u32, moved: impl Fn(f64, f64) -> (f64, f64)) -> [f64; 5] {
         let eye = AxisymmetricEye::new(&Parameters::default(), level);
         let cells = PlainCells::new(&eye);

@@ -155,7 +155,6 @@ pub(crate) struct Motion<'a> {
     /// Tension of the sclera in each segment, along and around, Pa, and through a low pass.
     pub tension: Vec<[f64; 2]>,
     pub tension_passed: Vec<[LowPass; 2]>,
-    pub contact_evaluations: usize,
     pub account: Account,
     pub frames_due: Option<FramesDue<(f64, f64)>>,
 }
@@ -243,7 +242,6 @@ impl<'a> Motion<'a> {
             load,
             tension: vec![[0.0; 2]; eye.segments.len()],
             tension_passed: vec![[LowPass::default(); 2]; eye.segments.len()],
-            contact_evaluations: 0,
             frames_due: keep.frames.map(FramesDue::new),
         }
     }
@@ -269,7 +267,6 @@ impl Marching for Motion<'_> {
             loss_in_object = touched.loss;
             limit = limit.min(projectile.limit).min(touched.limit);
             force = touched.force;
-            self.contact_evaluations += touched.segments;
             touch = Some(touched);
         }
         if let Some(load) = &self.load {
@@ -352,8 +349,6 @@ impl Marching for Motion<'_> {
             steps,
             simulated: time,
             settled,
-            cell_evaluations: (steps + 1) * self.eye.cells.len(),
-            contact_evaluations: self.contact_evaluations,
         }
     }
 }

@@ -16,7 +16,8 @@
 //! within 3 % of the highest frequency that springs at rest length could have if they resisted in
 //! every direction.
 
-use crate::models::paper::eye::{Eye, springs::SpringKind};
+use crate::models::paper::eye::springs::{Spring, SpringKind};
+use crate::models::paper::eye::{Eye, landmarks::along};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -27,37 +28,22 @@ pub(crate) fn omega_bound(eye: &Eye) -> f64 {
 
 /// The bound that takes each node by itself, in rad/s.
 fn omega_by_nodes(eye: &Eye) -> f64 {
-    highest(eye, |_| true, |_| 0.0)
+    highest(eye, |_| true, 0.0)
 }
 
 /// The bound that takes the springs along the shell together, in rad/s.
 fn omega_by_ring(eye: &Eye) -> f64 {
-    let shell = &eye.landmarks.shell;
-    let count = shell.len();
-    let mut order = vec![usize::MAX; eye.nodes.len()];
-    for (o, &node) in shell.iter().enumerate() {
-        order[node] = o;
-    }
-    // Two nodes of the ring, the first and the way to the second, the shorter way round.
-    let along = |a: usize, b: usize| {
-        let (low, high) = (order[a].min(order[b]), order[a].max(order[b]));
-        if high == usize::MAX {
-            None
-        } else if 2 * (high - low) <= count {
-            Some((high - low, low))
-        } else {
-            Some((count + low - high, high))
-        }
+    let count = eye.landmarks.shell.len();
+    let along = along(&eye.landmarks.shell);
+    let on_ring = |spring: &Spring| {
+        let pair = along(spring.a, spring.b);
+        pair.filter(|(hop, _)| spring.kind == SpringKind::Filament || *hop == 1)
     };
     // Several springs may join the same two nodes: their stiffnesses add up.
     let mut pairs: BTreeMap<(usize, usize), f64> = BTreeMap::new();
-    let mut others = Vec::new();
-    for (index, spring) in eye.springs.iter().enumerate() {
-        match along(spring.a, spring.b) {
-            Some(pair) if spring.kind == SpringKind::Filament || pair.0 == 1 => {
-                *pairs.entry(pair).or_default() += spring.stiffness;
-            }
-            _ => others.push(index),
+    for spring in &eye.springs {
+        if let Some(pair) = on_ring(spring) {
+            *pairs.entry(pair).or_default() += spring.stiffness;
         }
     }
     let mut stiffest: BTreeMap<usize, f64> = BTreeMap::new();
@@ -73,28 +59,22 @@ fn omega_by_ring(eye: &Eye) -> f64 {
         each.sum()
     };
     let by_shell = (0..=count / 2).map(held).fold(0.0, f64::max);
-    let mut others = others.into_iter().peekable();
-    highest(
-        eye,
-        |index| others.next_if_eq(&index).is_some(),
-        |node| {
-            if order[node] == usize::MAX { 0.0 } else { by_shell }
-        },
-    )
+    highest(eye, |spring| on_ring(spring).is_none(), by_shell)
 }
 
-/// Root of the largest (`extra` + 2 sum of k)/mass over the nodes that move, in rad/s, where
-/// `counts` is asked for each spring in turn.
-fn highest(eye: &Eye, mut counts: impl FnMut(usize) -> bool, extra: impl Fn(usize) -> f64) -> f64 {
+/// Root of the largest (`by_shell`, but on the shell only, + 2 sum of k)/mass over the nodes that
+/// move, in rad/s, of the springs that count.
+fn highest(eye: &Eye, counts: impl Fn(&Spring) -> bool, by_shell: f64) -> f64 {
     let mut sums = vec![0.0; eye.nodes.len()];
-    for (index, spring) in eye.springs.iter().enumerate() {
-        if counts(index) {
-            sums[spring.a] += spring.stiffness;
-            sums[spring.b] += spring.stiffness;
-        }
+    for spring in eye.springs.iter().filter(|spring| counts(spring)) {
+        sums[spring.a] += spring.stiffness;
+        sums[spring.b] += spring.stiffness;
     }
-    let moving = eye.nodes.iter().enumerate().filter(|(_, n)| !n.fixed());
-    let squared = moving.map(|(i, n)| (extra(i) + 2.0 * sums[i]) / n.mass);
+    let moving = eye.nodes.iter().zip(sums).filter(|(node, _)| !node.fixed());
+    let squared = moving.map(|(node, sum)| {
+        let extra = if node.region.on_shell() { by_shell } else { 0.0 };
+        (extra + 2.0 * sum) / node.mass
+    });
     squared.fold(0.0, f64::max).sqrt()
 }
 
@@ -106,9 +86,9 @@ mod tests {
     /// The highest angular frequency of springs that resist in every direction, from below, in
     /// rad/s.
     fn iterated(eye: &Eye) -> f64 {
-        let moving: Vec<bool> = eye.nodes.iter().map(|n| !n.fixed()).collect();
-        let start = |i: usize| f64::from(u8::from(moving[i])) * ((i * 7919 % 101) as f64 - 50.0);
-        let mut x: Vec<f64> = (0..moving.len()).map(start).collect();
+        let still = |i: usize| eye.nodes[i].fixed();
+        let start = |i: usize| if still(i) { 0.0 } else { (i * 7919 % 101) as f64 - 50.0 };
+        let mut x: Vec<f64> = (0..eye.nodes.len()).map(start).collect();
         let norm = |x: &[f64]| x.iter().map(|v| v * v).sum::<f64>().sqrt();
         let mut highest = 0.0;
         for _ in 0..2000 {
@@ -118,8 +98,7 @@ mod tests {
                 y[spring.a] += force / eye.nodes[spring.a].mass;
                 y[spring.b] -= force / eye.nodes[spring.b].mass;
             }
-            let still = y.iter_mut().zip(&moving).filter(|(_, moves)| !**moves);
-            still.for_each(|(v, _)| *v = 0.0);
+            (0..y.len()).filter(|i| still(*i)).for_each(|i| y[i] = 0.0);
             let length = norm(&y);
             highest = length / norm(&x);
             x = y.into_iter().map(|v| v / length).collect();

@@ -8,9 +8,19 @@
 //! measures come out to the last bit.
 
 use crate::models::paper::eye::mesh::{Node, SectionMesh};
+use nalgebra::Vector2;
 
 /// Nodes with weights.
 pub type Hat = Vec<(usize, f64)>;
+
+/// The weighted sum of something of each node.
+pub(crate) fn sum(nodes: &[(usize, f64)], of: impl Fn(usize) -> Vector2<f64>) -> Vector2<f64> {
+    let mut sum = Vector2::zeros();
+    for &(node, weight) in nodes {
+        sum += of(node) * weight;
+    }
+    sum
+}
 
 /// Weight of a node of level k so many places away from the middle of a hat.
 fn weight(away: isize, k: isize) -> f64 {

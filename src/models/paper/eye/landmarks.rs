@@ -40,6 +40,23 @@ pub struct Landmarks {
     pub meridian_hats: [Hat; 2],
 }
 
+/// How many hops apart two nodes lie on the closed line `shell`, the shorter way round, and the
+/// place from which; none where one of them is not on it.
+pub(crate) fn along(shell: &[usize]) -> impl Fn(usize, usize) -> Option<(usize, usize)> {
+    let count = shell.len();
+    let mut order = vec![None; shell.iter().max().map_or(0, |last| last + 1)];
+    for (place, &node) in shell.iter().enumerate() {
+        order[node] = Some(place);
+    }
+    let place = move |node: usize| order.get(node).copied().flatten();
+    move |a, b| {
+        let (a, b): (usize, usize) = (place(a)?, place(b)?);
+        let (low, high) = (a.min(b), a.max(b));
+        let straight = 2 * (high - low) <= count;
+        Some(if straight { (high - low, low) } else { (count + low - high, high) })
+    }
+}
+
 pub(crate) fn find(mesh: &SectionMesh, level: u32) -> Landmarks {
     let k = level as usize;
     let at = |(i, j): (usize, usize)| {

@@ -67,23 +67,21 @@ mod tests {
     }
 
     #[test]
-    fn a_triangle_inside_counts_whole_and_one_outside_not_at_all() {
-        assert!((share([at(0.1, 0.1), at(0.5, 0.1), at(0.1, 0.6)]) - 0.1).abs() < 1e-14);
-        assert!(share([at(1.1, 0.0), at(2.0, 0.0), at(2.0, 1.0)]) < 1e-14);
-        // Its corner's angle at the centre is less than a right one, but no part of it is near.
-        assert!(share([at(-3.0, 1.5), at(3.0, 1.5), at(0.0, 9.0)]) < 1e-14);
-    }
-
-    #[test]
-    fn a_triangle_around_the_lens_holds_all_of_it_whichever_way_it_turns() {
-        let corners = [at(-9.0, -5.0), at(9.0, -5.0), at(0.0, 9.0)];
-        assert!((share(corners) - PI).abs() < 1e-13);
-        assert!((share([corners[1], corners[0], corners[2]]) - PI).abs() < 1e-13);
-    }
-
-    #[test]
-    fn edges_through_the_centre_cut_a_sector() {
-        assert!((share([at(0.0, 0.0), at(5.0, 0.0), at(0.0, 5.0)]) - PI / 4.0).abs() < 1e-13);
+    fn as_much_of_a_triangle_counts_as_lies_in_the_lens() {
+        let around = [at(-9.0, -5.0), at(9.0, -5.0), at(0.0, 9.0)];
+        for (corners, area) in [
+            ([at(0.1, 0.1), at(0.5, 0.1), at(0.1, 0.6)], 0.1),
+            ([at(1.1, 0.0), at(2.0, 0.0), at(2.0, 1.0)], 0.0),
+            // Its corner's angle at the centre is less than a right one, but no part of it is near.
+            ([at(-3.0, 1.5), at(3.0, 1.5), at(0.0, 9.0)], 0.0),
+            // Around the lens it holds all of it, whichever way it turns.
+            (around, PI),
+            ([around[1], around[0], around[2]], PI),
+            // Edges through the centre cut a sector.
+            ([at(0.0, 0.0), at(5.0, 0.0), at(0.0, 5.0)], PI / 4.0),
+        ] {
+            assert!((share(corners) - area).abs() < 1e-13, "{corners:?}");
+        }
     }
 
     #[test]

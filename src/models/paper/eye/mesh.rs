@@ -40,7 +40,7 @@ impl Node {
         self.region == Region::Orbit
     }
 
-    /// Angle from the anterior pole, positive above, in radians.
+    /// [`front_angle`] of its place.
     pub fn front_angle(&self) -> f64 {
         front_angle(self.position)
     }
@@ -49,11 +49,6 @@ impl Node {
 /// Angle of a point from the anterior pole, positive above, in radians.
 fn front_angle(p: Point2<f64>) -> f64 {
     libm::atan2(p.y, -p.x)
-}
-
-/// Nodes a side of the square mesh at level `level`.
-pub fn side_at_level(level: u32) -> usize {
-    15 * level as usize + 1
 }
 
 pub(crate) struct SectionMesh {
@@ -70,29 +65,24 @@ impl SectionMesh {
     }
 }
 
-/// Concentric square-to-disc map of mesh coordinates to a point in units of the mesh.
+/// Concentric square-to-disc map of mesh coordinates to a point in units of the mesh: that of one
+/// quadrant, reflected, so that mirror images agree to the last bit.
 fn to_disc(u: f64, v: f64) -> Point2<f64> {
-    let ring = u.abs().max(v.abs());
-    if ring == 0.0 {
-        return Point2::origin();
-    }
-    let angle = if u.abs() >= v.abs() {
-        FRAC_PI_4 * (v / u) + if u < 0.0 { PI } else { 0.0 }
+    let (across, up) = (u.abs(), v.abs());
+    let ring = across.max(up);
+    let angle = if ring == 0.0 {
+        0.0
+    } else if across >= up {
+        FRAC_PI_4 * (up / across)
     } else {
-        FRAC_PI_2 - FRAC_PI_4 * (u / v) + if v < 0.0 { PI } else { 0.0 }
+        FRAC_PI_2 - FRAC_PI_4 * (across / up)
     };
-    Point2::new(ring * libm::cos(angle), ring * libm::sin(angle))
-}
-
-/// The map applied to one quadrant and reflected, so that mirror images agree to the last bit.
-fn to_disc_symmetric(u: f64, v: f64) -> Point2<f64> {
-    let p = to_disc(u.abs(), v.abs());
-    Point2::new(p.x.copysign(u), p.y.copysign(v))
+    Point2::new((ring * libm::cos(angle)).copysign(u), (ring * libm::sin(angle)).copysign(v))
 }
 
 pub(crate) fn build(input: &EyeInput) -> SectionMesh {
     let k = f64::from(input.level);
-    let side = side_at_level(input.level);
+    let side = 15 * input.level as usize + 1;
     let spacing = GLOBE_RADIUS_M / (SHELL_RING * k);
     let half = (side - 1) as f64 / 2.0;
     let opening = input.opening_deg.to_radians() + ANGLE_TOLERANCE_RAD;
@@ -108,7 +98,7 @@ pub(crate) fn build(input: &EyeInput) -> SectionMesh {
         for i in 0..side {
             let (u, v) = (i as f64 - half, j as f64 - half);
             let ring = u.abs().max(v.abs());
-            let position = to_disc_symmetric(u, v) * spacing;
+            let position = to_disc(u, v) * spacing;
             let region = if ring > SHELL_RING * k {
                 if front_angle(position).abs() <= opening {
                     continue;
@@ -135,10 +125,8 @@ pub(crate) fn build(input: &EyeInput) -> SectionMesh {
     for j in 0..side - 1 {
         for i in 0..side - 1 {
             let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-            let found: Vec<usize> =
-                corners.iter().filter_map(|&(p, q)| mesh.node_at(p, q)).collect();
-            if let Ok(quad) = found.try_into() {
-                mesh.quads.push(quad);
+            if let [Some(a), Some(b), Some(c), Some(d)] = corners.map(|(i, j)| mesh.node_at(i, j)) {
+                mesh.quads.push([a, b, c, d]);
             }
         }
     }
@@ -152,17 +140,11 @@ mod tests {
     #[test]
     fn the_shell_is_a_circle_of_equal_steps() {
         let mesh = build(&EyeInput::default());
-        let mut angles: Vec<f64> = mesh
-            .nodes
-            .iter()
-            .filter(|n| n.region.on_shell())
-            .map(|n| {
-                assert!((n.position.coords.norm() - GLOBE_RADIUS_M).abs() < 1e-15);
-                n.front_angle().to_degrees()
-            })
-            .collect();
+        let shell = mesh.nodes.iter().filter(|node| node.region.on_shell());
+        let mut angles: Vec<f64> = shell.clone().map(|n| n.front_angle().to_degrees()).collect();
         angles.sort_by(f64::total_cmp);
-        for (i, angle) in angles.iter().enumerate() {
+        for ((i, angle), node) in angles.iter().enumerate().zip(shell) {
+            assert!((node.position.coords.norm() - GLOBE_RADIUS_M).abs() < 1e-15);
             assert!((angle - (-175.0 + 10.0 * i as f64)).abs() < 1e-9);
         }
     }
@@ -171,10 +153,8 @@ mod tests {
     fn the_opening_keeps_nothing_in_front_but_the_globe() {
         for level in 1..=4 {
             let mesh = build(&EyeInput { level, ..EyeInput::default() });
-            for node in &mesh.nodes {
-                if !node.region.in_globe() {
-                    assert!(node.front_angle().to_degrees().abs() > 40.0 + 1e-10);
-                }
+            for node in mesh.nodes.iter().filter(|node| !node.region.in_globe()) {
+                assert!(node.front_angle().to_degrees().abs() > 40.0 + 1e-10);
             }
         }
     }

@@ -17,17 +17,13 @@ pub mod springs;
 use crate::scenario::EyeInput;
 use landmarks::Landmarks;
 use mesh::Node;
-use nalgebra::{Point2, Vector2};
+use nalgebra::Point2;
 use springs::Spring;
 
-/// Twice the signed area of the triangle a, b, c: positive when it turns anticlockwise.
-pub(crate) fn cross(a: Point2<f64>, b: Point2<f64>, c: Point2<f64>) -> f64 {
-    let (p, q): (Vector2<f64>, Vector2<f64>) = (b - a, c - a);
-    p.perp(&q)
+/// Twice the signed area of a quad: the cross product of its diagonals.
+pub(crate) fn crossed([a, b, c, d]: [Point2<f64>; 4]) -> f64 {
+    (c - a).perp(&(d - b))
 }
-
-/// Depth of the section, in m.
-const UNIT_DEPTH_M: f64 = 1.0;
 
 /// The eye at rest: a mesh of nodes joined by springs, with the places that results refer to.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,60 +75,45 @@ mod tests {
     fn level_one_has_the_papers_counts() {
         let eye = level(1);
         assert_eq!(eye.nodes.len(), 220);
-        let fixed = |node: usize| eye.nodes[node].fixed();
-        assert_eq!((0..220).filter(|&node| !fixed(node)).count(), 174);
-        let count = |kind| eye.springs.iter().filter(|s| s.kind == kind).count();
-        assert_eq!(count(SpringKind::Rest), 299);
-        assert_eq!(count(SpringKind::Fat), 433);
-        assert_eq!(count(SpringKind::Sclera), 40);
-        assert_eq!(count(SpringKind::Lens), 3);
-        assert_eq!(count(SpringKind::Filament), 108);
+        assert_eq!(eye.nodes.iter().filter(|node| !node.fixed()).count(), 174);
+        for (kind, count) in [
+            (SpringKind::Rest, 299),
+            (SpringKind::Fat, 433),
+            (SpringKind::Sclera, 40),
+            (SpringKind::Lens, 3),
+            (SpringKind::Filament, 108),
+        ] {
+            assert_eq!(eye.springs.iter().filter(|s| s.kind == kind).count(), count, "{kind:?}");
+        }
         assert_eq!(eye.springs.len(), 883);
-        let works = |s: &&springs::Spring| s.stiffness > 0.0 && !(fixed(s.a) && fixed(s.b));
+        let fixed = |node: usize| eye.nodes[node].fixed();
+        let works = |s: &&Spring| s.stiffness > 0.0 && !(fixed(s.a) && fixed(s.b));
         assert_eq!(eye.springs.iter().filter(works).count(), 838);
-        let globe = eye.nodes.iter().filter(|n| n.region.in_globe()).count();
-        assert_eq!(globe, 100);
+        assert_eq!(eye.nodes.iter().filter(|n| n.region.in_globe()).count(), 100);
         assert_eq!(eye.landmarks.shell.len(), 36);
     }
 
     #[test]
     fn filament_stiffness_times_length_is_the_shells() {
-        let eye = level(1);
-        let ea: Vec<f64> = eye
-            .springs
-            .iter()
-            .filter(|s| s.kind == SpringKind::Filament)
-            .map(|s| s.stiffness * s.rest_length)
-            .collect();
-        assert_eq!(ea.len(), 108);
-        for value in ea {
+        for spring in level(1).springs.iter().filter(|s| s.kind == SpringKind::Filament) {
+            let value = spring.stiffness * spring.rest_length;
             assert!((value - 1.1505e4).abs() < 0.5, "{value}");
         }
     }
 
     #[test]
-    fn finer_levels_contain_every_node_of_level_one() {
-        let coarse = level(1);
-        for k in 2..=4 {
-            let fine = level(k);
-            for node in &coarse.nodes {
-                let near = fine
-                    .nodes
-                    .iter()
-                    .find(|f| f.grid == (node.grid.0 * k as usize, node.grid.1 * k as usize))
-                    .unwrap_or_else(|| panic!("level {k} lacks {:?}", node.grid));
-                assert!((near.position - node.position).norm() < 1e-15);
-                assert_eq!(near.region, node.region);
-            }
-        }
-    }
-
-    #[test]
-    fn the_globes_mass_is_the_same_at_every_level() {
+    fn finer_levels_contain_every_node_of_level_one_and_weigh_as_much() {
         for k in 1..=4 {
-            let mass: f64 =
-                level(k).nodes.iter().filter(|n| n.region.in_globe()).map(|n| n.mass).sum();
-            assert!((mass - 7.5e-3).abs() < 1e-12);
+            let fine = level(k);
+            for node in &level(1).nodes {
+                let grid = (node.grid.0 * k as usize, node.grid.1 * k as usize);
+                let same = fine.nodes.iter().find(|f| f.grid == grid);
+                let same = same.unwrap_or_else(|| panic!("level {k} lacks {:?}", node.grid));
+                assert!((same.position - node.position).norm() < 1e-15);
+                assert_eq!(same.region, node.region);
+            }
+            let globe = fine.nodes.iter().filter(|n| n.region.in_globe());
+            assert!((globe.map(|n| n.mass).sum::<f64>() - 7.5e-3).abs() < 1e-12);
         }
     }
 
@@ -140,15 +121,13 @@ mod tests {
     fn the_mesh_is_its_own_mirror_image() {
         for k in 1..=3 {
             let eye = level(k);
+            let grid = |node: usize| eye.nodes[node].grid;
+            let mirror = |node: usize| (grid(node).0, eye.side - 1 - grid(node).1);
             for spring in &eye.springs {
-                let mirror = |i: usize| {
-                    let (gx, gy) = eye.nodes[i].grid;
-                    (gx, eye.side - 1 - gy)
-                };
-                let (a, b) = (mirror(spring.a), mirror(spring.b));
+                let ends = [mirror(spring.a), mirror(spring.b)];
                 let twin = eye.springs.iter().find(|t| {
-                    let (p, q) = (eye.nodes[t.a].grid, eye.nodes[t.b].grid);
-                    t.kind == spring.kind && ((p, q) == (a, b) || (p, q) == (b, a))
+                    let (p, q) = (grid(t.a), grid(t.b));
+                    t.kind == spring.kind && (ends == [p, q] || ends == [q, p])
                 });
                 let twin = twin.unwrap_or_else(|| panic!("level {k}: no twin of {spring:?}"));
                 assert!((twin.stiffness / spring.stiffness - 1.0).abs() < 1e-9);

@@ -9,7 +9,7 @@
 //! springs. Sclera springs are multiplied by k and filaments divided by k at level k, so that the
 //! tension of the shell for a given stretch does not depend on the mesh.
 
-use crate::models::paper::eye::{cross, lens::area_within, mesh::Node, mesh::SectionMesh};
+use crate::models::paper::eye::{landmarks::along, lens::area_within, mesh::SectionMesh};
 use crate::run::places::Region;
 use crate::scenario::{EyeInput, Lens};
 use std::collections::BTreeMap;
@@ -44,26 +44,6 @@ pub struct Spring {
     pub kind: SpringKind,
 }
 
-/// Summed area of the triangles of a spring, in m2.
-#[derive(Debug, Clone, Copy, Default)]
-struct Areas {
-    whole: f64,
-    /// Of it, what lies in the lens; 0 if the lens is not taken by area.
-    lens: f64,
-}
-
-fn kind_of(a: &Node, b: &Node, lens: bool) -> SpringKind {
-    if !(a.region.in_globe() && b.region.in_globe()) {
-        SpringKind::Fat
-    } else if a.region.on_shell() && b.region.on_shell() {
-        SpringKind::Sclera
-    } else if lens && a.region == Region::Lens && b.region == Region::Lens {
-        SpringKind::Lens
-    } else {
-        SpringKind::Rest
-    }
-}
-
 pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Vec<Spring> {
     let k = f64::from(input.level);
     let position = |i: usize| mesh.nodes[i].position;
@@ -74,51 +54,50 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
         Lens::Soft => (false, false),
     };
 
-    let mut areas: BTreeMap<(usize, usize), Areas> = BTreeMap::new();
+    // Of the triangles of each spring: their summed area, and what of it lies in the lens, or 0 if
+    // the lens is not taken by area; in m2.
+    let mut areas: BTreeMap<(usize, usize), (f64, f64)> = BTreeMap::new();
     for quad in &mesh.quads {
         for p in 0..4 {
             for q in p + 1..4 {
                 let (a, b) = (quad[p], quad[q]);
                 let triangles =
                     (0..4).filter(|&r| r != p && r != q).map(|r| [a, b, quad[r]].map(position));
-                let whole: f64 =
-                    triangles.clone().map(|[a, b, c]| cross(a, b, c).abs() / 2.0).sum();
+                let whole = triangles.clone().map(|[a, b, c]| (b - a).perp(&(c - a)).abs() / 2.0);
                 let entry = areas.entry((a.min(b), a.max(b))).or_default();
-                entry.whole += whole;
+                entry.0 += whole.sum::<f64>();
                 if by_area {
-                    entry.lens += triangles.map(area_within).sum::<f64>();
+                    entry.1 += triangles.map(area_within).sum::<f64>();
                 }
             }
         }
     }
 
+    let joined = |(a, b), stiffness: &dyn Fn(f64) -> f64, kind| {
+        let rest_length = (position(b) - position(a)).norm();
+        Spring { a, b, stiffness: stiffness(rest_length), rest_length, kind }
+    };
     let mut springs: Vec<Spring> = areas
         .into_iter()
-        .map(|((a, b), areas)| {
-            let mut kind = kind_of(&mesh.nodes[a], &mesh.nodes[b], by_nodes);
-            let mut modulus_kpa = match kind {
-                SpringKind::Fat => input.fat_kpa,
-                SpringKind::Sclera | SpringKind::Filament => input.sclera_kpa * k,
-                SpringKind::Lens => input.lens_kpa,
-                SpringKind::Rest => input.rest_kpa,
+        .map(|(ends, (area, in_lens))| {
+            let (a, b) = (mesh.nodes[ends.0].region, mesh.nodes[ends.1].region);
+            let (mut kind, mut modulus_kpa) = if !(a.in_globe() && b.in_globe()) {
+                (SpringKind::Fat, input.fat_kpa)
+            } else if a.on_shell() && b.on_shell() {
+                (SpringKind::Sclera, input.sclera_kpa * k)
+            } else if by_nodes && a == Region::Lens && b == Region::Lens {
+                (SpringKind::Lens, input.lens_kpa)
+            } else {
+                (SpringKind::Rest, input.rest_kpa)
             };
-            if kind == SpringKind::Rest && areas.lens > 0.0 {
-                let share = areas.lens / areas.whole;
+            if kind == SpringKind::Rest && in_lens > 0.0 {
+                let share = in_lens / area;
                 modulus_kpa += (input.lens_kpa - input.rest_kpa) * share;
                 if share >= 0.5 {
                     kind = SpringKind::Lens;
                 }
             }
-            let modulus_pa = 1e3 * modulus_kpa;
-            let rest_length = (position(b) - position(a)).norm();
-            Spring {
-                a,
-                b,
-                stiffness: modulus_pa * crate::models::paper::eye::UNIT_DEPTH_M * areas.whole
-                    / (rest_length * rest_length),
-                rest_length,
-                kind,
-            }
+            joined(ends, &|length| 1e3 * modulus_kpa * area / (length * length), kind)
         })
         .collect();
 
@@ -127,15 +106,8 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
     for &hop in hops {
         let stride = hop as usize * input.level as usize;
         for (i, &a) in shell.iter().enumerate() {
-            let b = shell[(i + stride) % shell.len()];
-            let rest_length = (position(b) - position(a)).norm();
-            springs.push(Spring {
-                a,
-                b,
-                stiffness: axial_stiffness / rest_length,
-                rest_length,
-                kind: SpringKind::Filament,
-            });
+            let ends = (a, shell[(i + stride) % shell.len()]);
+            springs.push(joined(ends, &|length| axial_stiffness / length, SpringKind::Filament));
         }
     }
     springs
@@ -143,15 +115,7 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
 
 /// Mean of stiffness times length over the springs between neighbours on the shell, in N.
 fn shell_axial_stiffness(springs: &[Spring], shell: &[usize]) -> f64 {
-    let neighbours: std::collections::BTreeSet<(usize, usize)> = shell
-        .iter()
-        .zip(shell.iter().cycle().skip(1))
-        .map(|(&a, &b)| (a.min(b), a.max(b)))
-        .collect();
-    let sum: f64 = springs
-        .iter()
-        .filter(|s| neighbours.contains(&(s.a, s.b)))
-        .map(|s| s.stiffness * s.rest_length)
-        .sum();
-    sum / shell.len() as f64
+    let along = along(shell);
+    let neighbours = springs.iter().filter(|s| along(s.a, s.b).is_some_and(|(hop, _)| hop == 1));
+    neighbours.map(|s| s.stiffness * s.rest_length).sum::<f64>() / shell.len() as f64
 }

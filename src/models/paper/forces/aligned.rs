@@ -3,6 +3,8 @@
 //! Plain `Vec` guarantees 8 bytes; the allocation is made a little larger and entered at the first
 //! aligned element.
 
+use crate::models::paper::forces::layout::RowPlace;
+use nalgebra::Vector2;
 use std::ops::{Deref, DerefMut};
 
 const LINE_BYTES: usize = 64;
@@ -46,5 +48,40 @@ impl DerefMut for Aligned {
     #[inline]
     fn deref_mut(&mut self) -> &mut [f64] {
         &mut self.data[self.start..self.start + self.len]
+    }
+}
+
+/// x and y of every place of the rows.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Pairs {
+    pub x: Aligned,
+    pub y: Aligned,
+}
+
+impl Pairs {
+    pub fn zeros(len: usize) -> Self {
+        Self { x: Aligned::zeros(len), y: Aligned::zeros(len) }
+    }
+
+    /// Both as plain slices, for loops to borrow once.
+    #[inline]
+    pub fn slices(&self) -> (&[f64], &[f64]) {
+        (&self.x, &self.y)
+    }
+
+    #[inline]
+    pub fn slices_mut(&mut self) -> (&mut [f64], &mut [f64]) {
+        (&mut self.x, &mut self.y)
+    }
+
+    /// The vector at `place`.
+    #[inline]
+    pub fn at(&self, place: RowPlace) -> Vector2<f64> {
+        Vector2::new(self.x[place.slot], place.sign() * self.y[place.slot])
+    }
+
+    pub fn put(&mut self, place: RowPlace, of: Vector2<f64>) {
+        self.x[place.slot] = of.x;
+        self.y[place.slot] = place.sign() * of.y;
     }
 }

@@ -1,12 +1,7 @@
 //! Forces of the filaments and of the load on the shell, and the length of the shell.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::lanes::{
-    Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store, total, zeros,
+    Springs, Sums, V, fused, inverse_root, load, load_pair, splat, store_pair, total, zeros,
 };
 use crate::models::paper::forces::state::{Scratch, State};
 use crate::models::paper::forces::{layout::LANES, system::System};
@@ -20,12 +15,12 @@ pub(crate) fn shell_length<S: Simd, const QUICK: bool>(
     state: &State,
 ) -> f64 {
     let ring = &system.ring;
-    let (x, y): (&[f64], &[f64]) = (&state.scratch.ring_x, &state.scratch.ring_y);
+    let places = state.scratch.ring.slices();
     let mut sum = splat(simd, 0.0);
     let shortest = splat(simd, system.shortest_squared);
     for o in (0..ring.neighbours.len()).step_by(V::<S>::LEN) {
         let g = ring.ghosts - 1 + o;
-        let (a, b) = (load_pair(simd, x, y, g), load_pair(simd, x, y, g + 1));
+        let (a, b) = (load_pair(simd, places, g), load_pair(simd, places, g + 1));
         let square = Springs::<S>::new::<QUICK>(a, b, shortest).square;
         let length = square * inverse_root::<S, QUICK>(simd, square);
         sum = fused::<S, QUICK>(length, load(simd, &ring.neighbours, o), sum);
@@ -44,24 +39,24 @@ pub(crate) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
 ) {
     let ring = &system.ring;
     let s = &mut state.scratch;
-    let (x, y): (&[f64], &[f64]) = (&state.x, &state.y);
+    let (x, y) = state.position.slices();
     let len = ring.gather.len();
-    let (ring_x, ring_y) = (&mut s.ring_x[..len], &mut s.ring_y[..len]);
+    let (ring_x, ring_y) = (&mut s.ring.x[..len], &mut s.ring.y[..len]);
     for ((to_x, to_y), &(slot, sign)) in ring_x.iter_mut().zip(ring_y).zip(&ring.gather) {
         *to_x = x[slot as usize];
         *to_y = sign * y[slot as usize];
     }
     filament_forces::<S, QUICK, SURVEY>(simd, system, s, sums);
-    let (extra_x, extra_y): (&mut [f64], &mut [f64]) = (&mut s.extra_x, &mut s.extra_y);
-    let (hop_fx, hop_fy): (&[f64], &[f64]) = (&s.hop_fx, &s.hop_fy);
+    let (extra_x, extra_y) = s.extra.slices_mut();
+    let hops = s.hops.slices();
     let run = ring.padded_len();
     let owned = &ring.gather[ring.ghosts..ring.ghosts + ring.owned];
     for (o, places) in owned.chunks(V::<S>::LEN).enumerate() {
         let on_first = ring.ghosts + o * V::<S>::LEN;
         let mut total = zeros(simd);
         for (n, hop) in ring.hops.iter().enumerate() {
-            let pulled = load_pair(simd, hop_fx, hop_fy, n * run + on_first);
-            let pulling = load_pair(simd, hop_fx, hop_fy, n * run + on_first - hop);
+            let pulled = load_pair(simd, hops, n * run + on_first);
+            let pulling = load_pair(simd, hops, n * run + on_first - hop);
             total.0 += pulled.0 - pulling.0;
             total.1 += pulled.1 - pulling.1;
         }
@@ -70,9 +65,9 @@ pub(crate) fn ring_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
             extra_y[slot as usize] = *y;
         }
     }
-    for &(slot, px, py) in &system.load().shares {
-        extra_x[slot] += px * force;
-        extra_y[slot] += py * force;
+    for (slot, _, share) in &system.loaded {
+        extra_x[*slot] += share.x * force;
+        extra_y[*slot] += share.y * force;
     }
 }
 
@@ -85,22 +80,22 @@ fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
     sums: &mut Sums<S>,
 ) {
     let shortest = splat(simd, system.shortest_squared);
-    let (ring_x, ring_y): (&[f64], &[f64]) = (&s.ring_x, &s.ring_y);
-    let (hop_fx, hop_fy): (&mut [f64], &mut [f64]) = (&mut s.hop_fx, &mut s.hop_fy);
+    let (ring_x, ring_y) = s.ring.slices();
+    let (hop_fx, hop_fy) = s.hops.slices_mut();
     let hop_fy = &mut hop_fy[..hop_fx.len()];
-    let ring_y = &ring_y[..ring_x.len()];
+    let places = (ring_x, &ring_y[..ring_x.len()]);
     for strip in &system.ring.strips {
         for lane in (0..LANES).step_by(V::<S>::LEN) {
             let a = strip.first + lane;
             let springs = Springs::<S>::new::<QUICK>(
-                load_pair(simd, ring_x, ring_y, a),
-                load_pair(simd, ring_x, ring_y, a + strip.hop),
+                load_pair(simd, places, a),
+                load_pair(simd, places, a + strip.hop),
                 shortest,
             );
             let inverse = inverse_root::<S, QUICK>(simd, springs.square);
             let stiffness = load(simd, &strip.stiffness, lane);
             let tension = load(simd, &strip.tension, lane);
-            let (pull, (fx, fy)) = springs.force::<QUICK>(inverse, stiffness, tension);
+            let (pull, force) = springs.force::<QUICK>(inverse, stiffness, tension);
             if SURVEY {
                 sums.add::<QUICK>(
                     pull * (springs.square * inverse),
@@ -108,9 +103,7 @@ fn filament_forces<S: Simd, const QUICK: bool, const SURVEY: bool>(
                     load(simd, &strip.inverse_tension, lane),
                 );
             }
-            let into = strip.into + lane;
-            store::<S>(hop_fx, into, fx);
-            store::<S>(hop_fy, into, fy);
+            store_pair::<S>((hop_fx, hop_fy), strip.into + lane, force);
         }
     }
 }

@@ -10,15 +10,10 @@
 //! series, on AVX2 so for half of the springs; it is as accurate, but its last bits depend on the
 //! machine.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::filaments::{ring_forces, shell_length};
-use crate::models::paper::forces::lanes;
 use crate::models::paper::forces::lanes::{
-    Pair, Sums, V, fused, load, load_pair, splat, store, total,
+    self, Pair, Sums, V, fused, fused_pair, load, load_pair, on_vectors, splat, squared,
+    store_pair, times, total,
 };
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SHIFT};
 use crate::models::paper::forces::sweep::{Nodes, Update, sweep};
@@ -55,11 +50,11 @@ pub struct Survey {
 /// Fills the ghost row below a mirrored half.
 #[inline(always)]
 fn fill_ghosts(system: &System, state: &mut State) {
-    if let Some(source) = system.mirror_row {
-        let stride = system.stride;
-        let (ghost, source) = (system.first_row * stride + SHIFT, source * stride + SHIFT);
-        state.x.copy_within(source..source + stride, ghost);
-        let (below, above) = state.y.split_at_mut(source);
+    if let Some(source) = system.rows.mirror {
+        let stride = system.rows.stride;
+        let (ghost, source) = (system.rows.first * stride + SHIFT, source * stride + SHIFT);
+        state.position.x.copy_within(source..source + stride, ghost);
+        let (below, above) = state.position.y.split_at_mut(source);
         for (image, y) in below[ghost..].iter_mut().zip(&above[..stride]) {
             *image = -y;
         }
@@ -87,13 +82,10 @@ fn drift<S: Simd, const QUICK: bool>(
     let half_mass = load(simd, &nodes.group.half_mass, nodes.lane);
     let reach = by_tissue::<S, QUICK>(simd, fat, stage.drift);
     let keep = by_tissue::<S, QUICK>(simd, fat, stage.keep);
-    let (vx, vy) = velocity;
-    let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
     let lost = fused::<S, QUICK>(-keep, keep, splat(simd, 1.0)) * half_mass;
-    *loss = fused::<S, QUICK>(speed_squared, lost, *loss);
-    store::<S>(nodes.vx, 0, vx * keep);
-    store::<S>(nodes.vy, 0, vy * keep);
-    (fused::<S, QUICK>(reach, vx, nodes.position.0), fused::<S, QUICK>(reach, vy, nodes.position.1))
+    *loss = fused::<S, QUICK>(squared::<S, QUICK>(velocity), lost, *loss);
+    store_pair::<S>(nodes.velocity, 0, times::<S>(velocity, keep));
+    fused_pair::<S, QUICK>(velocity, reach, nodes.position)
 }
 
 struct KickDrift<S: Simd, const QUICK: bool> {
@@ -104,12 +96,9 @@ struct KickDrift<S: Simd, const QUICK: bool> {
 impl<S: Simd, const QUICK: bool> Update<S> for KickDrift<S, QUICK> {
     #[inline(always)]
     fn nodes(&mut self, nodes: Nodes<'_, S>, force: Pair<S>) -> Pair<S> {
-        let simd = nodes.simd;
-        let inverse_mass = load(simd, &nodes.group.inverse_mass, nodes.lane);
-        let w = inverse_mass * self.stage.kick;
-        let before = load_pair(simd, nodes.vx, nodes.vy, 0);
-        let velocity =
-            (fused::<S, QUICK>(force.0, w, before.0), fused::<S, QUICK>(force.1, w, before.1));
+        let inverse_mass = load(nodes.simd, &nodes.group.inverse_mass, nodes.lane);
+        let before = nodes.speeds();
+        let velocity = fused_pair::<S, QUICK>(force, inverse_mass * self.stage.kick, before);
         drift::<S, QUICK>(self.stage, nodes, velocity, &mut self.loss)
     }
 }
@@ -125,17 +114,12 @@ impl<S: Simd, const QUICK: bool> Update<S> for Keep<S, QUICK> {
         let simd = nodes.simd;
         let inverse_mass = load(simd, &nodes.group.inverse_mass, nodes.lane);
         let half_mass = load(simd, &nodes.group.half_mass, nodes.lane);
-        let kick = splat(simd, self.kick);
-        let (ax, ay) = (force.0 * inverse_mass, force.1 * inverse_mass);
-        let before = load_pair(simd, nodes.vx, nodes.vy, 0);
-        let vx = fused::<S, QUICK>(ax, kick, before.0);
-        let vy = fused::<S, QUICK>(ay, kick, before.1);
-        let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
+        let acceleration = times::<S>(force, inverse_mass);
+        let velocity = fused_pair::<S, QUICK>(acceleration, splat(simd, self.kick), nodes.speeds());
+        let speed_squared = squared::<S, QUICK>(velocity);
         self.kinetic = fused::<S, QUICK>(speed_squared, half_mass, self.kinetic);
-        store::<S>(nodes.ax, 0, ax);
-        store::<S>(nodes.ay, 0, ay);
-        store::<S>(nodes.vx, 0, vx);
-        store::<S>(nodes.vy, 0, vy);
+        store_pair::<S>(nodes.acceleration, 0, acceleration);
+        store_pair::<S>(nodes.velocity, 0, velocity);
         nodes.position
     }
 }
@@ -152,7 +136,7 @@ fn kick_drift_as<S: Simd, const QUICK: bool>(
     fill_ghosts(system, state);
     ring_forces::<S, QUICK, false>(simd, system, state, force, &mut sums);
     let mut update = KickDrift::<S, QUICK> { stage, loss: splat(simd, 0.0) };
-    sweep::<S, QUICK, false, true>(simd, system, state, &mut sums, &mut update);
+    sweep::<S, QUICK, false>(simd, system, state, &mut sums, &mut update);
     total::<S>(update.loss)
 }
 
@@ -165,22 +149,18 @@ fn start_as<S: Simd, const QUICK: bool>(
     stage: Stage,
 ) -> f64 {
     let mut loss = splat(simd, 0.0);
-    let (first, last) = (system.first_row * system.stride, (system.side - 1) * system.stride);
-    let (x, y): (&mut [f64], &mut [f64]) = (&mut state.x, &mut state.y);
-    let (vx, vy): (&mut [f64], &mut [f64]) = (&mut state.vx, &mut state.vy);
-    let (ax, ay): (&mut [f64], &mut [f64]) = (&mut state.ax, &mut state.ay);
-    for slot in (first..last).step_by(V::<S>::LEN) {
+    let (x, y) = state.position.slices_mut();
+    let (vx, vy) = state.velocity.slices_mut();
+    let (ax, ay) = state.acceleration.slices_mut();
+    for slot in system.moving().step_by(V::<S>::LEN) {
         let (group, lane) = (&system.groups[slot / LANES], slot % LANES);
-        let before = load_pair(simd, vx, vy, slot);
-        let a = load_pair(simd, ax, ay, slot);
+        let before = load_pair(simd, (vx, vy), slot);
+        let acceleration = load_pair(simd, (ax, ay), slot);
         let fat = load(simd, &group.fat, lane);
         let half_mass = load(simd, &group.half_mass, lane);
         let kick = splat(simd, stage.kick);
         let keep = by_tissue::<S, QUICK>(simd, fat, keep_before);
-        let after = (
-            fused::<S, QUICK>(a.0, kick, before.0 * keep),
-            fused::<S, QUICK>(a.1, kick, before.1 * keep),
-        );
+        let after = fused_pair::<S, QUICK>(acceleration, kick, times::<S>(before, keep));
         // An explicit drag acts with the kick: its power goes with the mean of the two speeds.
         let along = before.0 * (before.0 + after.0) + before.1 * (before.1 + after.1);
         loss += (splat(simd, 1.0) - keep) * half_mass * along;
@@ -189,15 +169,12 @@ fn start_as<S: Simd, const QUICK: bool>(
             simd,
             lane,
             group,
-            position: load_pair(simd, x, y, slot),
-            vx: &mut vx[here.clone()],
-            vy: &mut vy[here.clone()],
-            ax: &mut ax[here.clone()],
-            ay: &mut ay[here],
+            position: load_pair(simd, (x, y), slot),
+            velocity: (&mut vx[here.clone()], &mut vy[here.clone()]),
+            acceleration: (&mut ax[here.clone()], &mut ay[here]),
         };
         let moved = drift::<S, QUICK>(stage, nodes, after, &mut loss);
-        store::<S>(x, slot, moved.0);
-        store::<S>(y, slot, moved.1);
+        store_pair::<S>((x, y), slot, moved);
     }
     total::<S>(loss)
 }
@@ -214,7 +191,7 @@ fn evaluate_as<S: Simd, const QUICK: bool>(
     fill_ghosts(system, state);
     ring_forces::<S, QUICK, true>(simd, system, state, force, &mut sums);
     let mut update = Keep::<S, QUICK> { kick, kinetic: splat(simd, 0.0) };
-    sweep::<S, QUICK, true, false>(simd, system, state, &mut sums, &mut update);
+    sweep::<S, QUICK, true>(simd, system, state, &mut sums, &mut update);
     let strain_squared = sums.strain_squared.as_slice().iter().copied();
     let quad_ratio = sums.quad_ratio.as_slice().iter().copied();
     Survey {
@@ -228,12 +205,7 @@ fn evaluate_as<S: Simd, const QUICK: bool>(
 
 /// Force, kick and drift in one sweep; returns the energy that drag took, in J.
 pub(crate) fn kick_drift(system: &System, state: &mut State, force: f64, stage: Stage) -> f64 {
-    let level = system.level;
-    if system.portable {
-        dispatch!(level, simd => kick_drift_as::<_, false>(simd, system, state, force, stage))
-    } else {
-        dispatch!(level, simd => kick_drift_as::<_, true>(simd, system, state, force, stage))
-    }
+    on_vectors!(system, kick_drift_as(system, state, force, stage))
 }
 
 /// Explicit drag, kick by the stored acceleration, and drift; returns the energy lost, in J.
@@ -243,29 +215,19 @@ pub(crate) fn start(
     keep_before: [f64; 2],
     stage: Stage,
 ) -> f64 {
-    let level = system.level;
-    if system.portable {
-        dispatch!(level, simd => start_as::<_, false>(simd, system, state, keep_before, stage))
-    } else {
-        dispatch!(level, simd => start_as::<_, true>(simd, system, state, keep_before, stage))
-    }
+    on_vectors!(system, start_as(system, state, keep_before, stage))
 }
 
 /// Force evaluation at the state's positions into its acceleration, then v += kick a, with a
 /// survey of the whole mesh.
 pub(crate) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64) -> Survey {
-    let level = system.level;
-    if system.portable {
-        dispatch!(level, simd => evaluate_as::<_, false>(simd, system, state, force, kick))
-    } else {
-        dispatch!(level, simd => evaluate_as::<_, true>(simd, system, state, force, kick))
-    }
+    on_vectors!(system, evaluate_as(system, state, force, kick))
 }
 
 impl State {
     /// Brings the acceleration up to date by the load law `piece`.
     pub fn evaluate(&mut self, system: &System, piece: Piece) -> Survey {
-        let force = system.load().pulse.force(piece, self.time);
+        let force = system.pulse.force(piece, self.time);
         evaluate(system, self, force, 0.0)
     }
 }
@@ -306,15 +268,11 @@ pub fn vector_sets() -> Vec<Level> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::paper::{eye::Eye, forces::load::ArcLoad};
-    use crate::models::pulse::Pulse;
+    use crate::models::paper::case::PaperCase;
     use crate::scenario::Scenario;
 
     fn system(scenario: &Scenario, whole: bool, portable: bool) -> System {
-        let pulse = scenario.pulse().unwrap();
-        let eye = Eye::build(&scenario.eye);
-        let load = ArcLoad::new(pulse, &eye);
-        System::new(&eye, Pulse::new(pulse), &load, whole, portable)
+        PaperCase::with(&scenario.check().unwrap(), whole, portable).system
     }
 
     fn moved(level: Level, eye_level: u32, whole: bool, portable: bool) -> (State, Survey) {
@@ -323,7 +281,7 @@ mod tests {
         let mut system = system(&scenario, whole, portable);
         system.set_level(level);
         let mut state = State::at_rest(&system);
-        let h = 0.5 / system.omega_bound();
+        let h = 0.5 / system.omega_bound;
         let stage = Stage { kick: h, drift: [h, 0.9 * h], keep: [0.99, 0.98] };
         for _ in 0..100 {
             kick_drift(&system, &mut state, 300.0, stage);
@@ -338,11 +296,12 @@ mod tests {
             let (narrow, survey) = moved(vector_sets()[0], eye_level, whole, true);
             for level in vector_sets() {
                 let (state, _) = moved(level, eye_level, whole, true);
-                assert_eq!(narrow.x[..], state.x[..], "portable, {level:?}");
-                assert_eq!(narrow.vy[..], state.vy[..], "portable, {level:?}");
-                assert_eq!(narrow.ay[..], state.ay[..], "portable, {level:?}");
+                let runs = |of: &State| {
+                    [&of.position.x, &of.velocity.y, &of.acceleration.y].map(|run| run.to_vec())
+                };
+                assert_eq!(runs(&narrow), runs(&state), "portable, {level:?}");
                 let (quick, quick_survey) = moved(level, eye_level, whole, false);
-                for (a, b) in narrow.x.iter().zip(&quick.x[..]) {
+                for (a, b) in narrow.position.x.iter().zip(&quick.position.x[..]) {
                     assert!((a - b).abs() < 1e-14, "quick, {level:?}: {a} {b}");
                 }
                 let ratio = quick_survey.elastic / survey.elastic;
@@ -358,8 +317,8 @@ mod tests {
         let system = system(&scenario, true, false);
         let mut state = State::at_rest(&system);
         evaluate(&system, &mut state, 100.0, 0.0);
-        let once = state.ax.clone();
+        let once = state.acceleration.x.clone();
         evaluate(&system, &mut state, 100.0, 0.0);
-        assert_eq!(once[..], state.ax[..]);
+        assert_eq!(once[..], state.acceleration.x[..]);
     }
 }

@@ -3,11 +3,6 @@
 //! The vectors are `fearless_simd`'s, so the code is safe, and AVX-512, AVX2, SSE2 or NEON is
 //! picked at run time. Of AVX-512 and AVX2 an instruction that has no name there is used too.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES};
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, SimdInto, f64x4, f64x8};
@@ -33,8 +28,14 @@ pub(crate) fn store<S: Simd>(run: &mut [f64], at: usize, value: V<S>) {
 }
 
 #[inline(always)]
-pub(crate) fn load_pair<S: Simd>(simd: S, x: &[f64], y: &[f64], at: usize) -> Pair<S> {
+pub(crate) fn load_pair<S: Simd>(simd: S, (x, y): (&[f64], &[f64]), at: usize) -> Pair<S> {
     (load(simd, x, at), load(simd, y, at))
+}
+
+#[inline(always)]
+pub(crate) fn store_pair<S: Simd>((x, y): (&mut [f64], &mut [f64]), at: usize, value: Pair<S>) {
+    store::<S>(x, at, value.0);
+    store::<S>(y, at, value.1);
 }
 
 #[inline(always)]
@@ -53,6 +54,23 @@ pub(crate) fn fused<S: Simd, const QUICK: bool>(a: V<S>, b: V<S>, c: V<S>) -> V<
     if QUICK { a.mul_add(b, c) } else { a * b + c }
 }
 
+/// a b + c, fused where the quick form may.
+#[inline(always)]
+pub(crate) fn fused_pair<S: Simd, const QUICK: bool>(a: Pair<S>, b: V<S>, c: Pair<S>) -> Pair<S> {
+    (fused::<S, QUICK>(a.0, b, c.0), fused::<S, QUICK>(a.1, b, c.1))
+}
+
+#[inline(always)]
+pub(crate) fn times<S: Simd>(a: Pair<S>, b: V<S>) -> Pair<S> {
+    (a.0 * b, a.1 * b)
+}
+
+/// x^2 + y^2.
+#[inline(always)]
+pub(crate) fn squared<S: Simd, const QUICK: bool>((x, y): Pair<S>) -> V<S> {
+    fused::<S, QUICK>(x, x, y * y)
+}
+
 /// `current` moved up one lane, the last of `before` first.
 #[inline(always)]
 pub(crate) fn shifted<S: Simd>(before: V<S>, current: V<S>) -> V<S> {
@@ -65,17 +83,15 @@ pub(crate) fn shifted<S: Simd>(before: V<S>, current: V<S>) -> V<S> {
 
 /// Some springs of one direction: from end a to end b, and their length squared.
 pub(crate) struct Springs<S: Simd> {
-    pub dx: V<S>,
-    pub dy: V<S>,
+    pub span: Pair<S>,
     pub square: V<S>,
 }
 
 impl<S: Simd> Springs<S> {
     #[inline(always)]
     pub fn new<const QUICK: bool>(a: Pair<S>, b: Pair<S>, shortest_squared: V<S>) -> Self {
-        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let square = fused::<S, QUICK>(dx, dx, dy * dy).max(shortest_squared);
-        Self { dx, dy, square }
+        let span = (b.0 - a.0, b.1 - a.1);
+        Self { span, square: squared::<S, QUICK>(span).max(shortest_squared) }
     }
 
     /// Tension over length, and the force on end a.
@@ -87,7 +103,7 @@ impl<S: Simd> Springs<S> {
         tension: V<S>,
     ) -> (V<S>, Pair<S>) {
         let pull = fused::<S, QUICK>(-tension, inverse_length, stiffness);
-        (pull, (pull * self.dx, pull * self.dy))
+        (pull, times::<S>(self.span, pull))
     }
 }
 
@@ -224,6 +240,19 @@ pub(crate) fn total<S: Simd>(lanes: V<S>) -> f64 {
 pub(crate) fn width<S: Simd>(_: S) -> usize {
     V::<S>::LEN
 }
+
+/// Computes the quick or the portable form of something on the vectors of a system.
+macro_rules! on_vectors {
+    ($system:expr, $form:ident($($argument:expr),*)) => {{
+        let level = $system.level;
+        if $system.portable {
+            dispatch!(level, simd => $form::<_, false>(simd, $($argument),*))
+        } else {
+            dispatch!(level, simd => $form::<_, true>(simd, $($argument),*))
+        }
+    }};
+}
+pub(crate) use on_vectors;
 
 #[cfg(test)]
 mod tests {

@@ -61,10 +61,11 @@ impl RowPlace {
 }
 
 /// Which rows are moved, and what each stands for.
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct MovedRows {
-    side: usize,
-    stride: usize,
-    /// First row whose springs are evaluated.
+    pub side: usize,
+    pub stride: usize,
+    /// First row whose springs are evaluated; a ghost when mirrored.
     pub first: usize,
     /// Row that the ghost mirrors.
     pub mirror: Option<usize>,
@@ -88,39 +89,23 @@ impl MovedRows {
 
     /// How many rows of the whole eye row `row` stands for.
     pub fn weight(&self, row: usize) -> f64 {
-        if self.mirror.is_none() {
+        if self.mirror.is_none() || 2 * row + 1 == self.side {
             1.0
-        } else if !self.owns(row) {
-            0.0
-        } else if 2 * row + 1 == self.side {
-            1.0
-        } else {
+        } else if self.owns(row) {
             2.0
+        } else {
+            0.0
         }
+    }
+
+    /// Where the node at a column and a row of the mesh would lie if all rows were moved.
+    pub fn slot(&self, (i, j): (usize, usize)) -> usize {
+        j * self.stride + i + SHIFT
     }
 
     pub fn place(&self, (i, j): (usize, usize)) -> RowPlace {
         let mirrored = !self.owns(j);
         let row = if mirrored { self.side - 1 - j } else { j };
-        RowPlace { slot: row * self.stride + i + SHIFT, mirrored }
-    }
-}
-
-/// First slots of the vectors that a sweep goes through.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Active {
-    /// First slots, rising; the last one twice, because the sweep looks one ahead.
-    pub slots: Vec<u32>,
-    pub last: usize,
-}
-
-impl Active {
-    /// The vectors that start at `slots`.
-    pub fn new(slots: impl Iterator<Item = usize>) -> Self {
-        let mut slots: Vec<u32> = slots.map(|slot| slot as u32).collect();
-        let last = slots.iter().copied().max().unwrap_or(0);
-        slots.extend(slots.last().copied());
-        let last = last as usize;
-        Self { slots, last }
+        RowPlace { slot: self.slot((i, row)), mirrored }
     }
 }

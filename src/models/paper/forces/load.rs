@@ -31,30 +31,21 @@ impl ArcLoad {
         let opening = eye.opening_rad;
         let (low, high) = ((theta - width).max(-opening), (theta + width).min(opening));
         let half_arc = PI / eye.landmarks.shell.len() as f64;
-        let mut shares: Vec<(usize, f64)> = eye
-            .landmarks
-            .shell
-            .iter()
-            .filter_map(|&i| {
-                let phi = eye.nodes[i].front_angle();
-                // An arc that reaches past the posterior pole meets the node from the other side.
-                let overlap: f64 = [-2.0 * PI, 0.0, 2.0 * PI]
-                    .iter()
-                    .map(|turn| {
-                        let phi = phi + turn;
-                        (high.min(phi + half_arc) - low.max(phi - half_arc)).max(0.0)
-                    })
-                    .sum();
-                // Rounding at the edge of an arc must not load a node that only touches it.
-                (overlap > 1e-12 * half_arc).then_some((i, overlap))
-            })
-            .collect();
-        let total: f64 = shares.iter().map(|(_, overlap)| overlap).sum();
-        for (_, share) in &mut shares {
-            *share /= total;
-        }
+        let overlap = |&i: &usize| {
+            // An arc that reaches past the posterior pole meets the node from the other side.
+            let turns = [-2.0 * PI, 0.0, 2.0 * PI].into_iter();
+            let overlaps = turns.map(|turn| {
+                let phi = eye.nodes[i].front_angle() + turn;
+                (high.min(phi + half_arc) - low.max(phi - half_arc)).max(0.0)
+            });
+            let overlap: f64 = overlaps.sum();
+            // Rounding at the edge of an arc must not load a node that only touches it.
+            (overlap > 1e-12 * half_arc).then_some((i, overlap))
+        };
+        let overlaps: Vec<(usize, f64)> = eye.landmarks.shell.iter().filter_map(overlap).collect();
+        let total: f64 = overlaps.iter().map(|(_, overlap)| overlap).sum();
         Self {
-            shares,
+            shares: overlaps.into_iter().map(|(i, overlap)| (i, overlap / total)).collect(),
             direction: Vector2::new(libm::cos(theta), -libm::sin(theta)),
             shielded: (1.0 - (high - low) / (2.0 * width)).max(0.0),
             arc: (low, high),
@@ -70,10 +61,8 @@ mod tests {
     #[test]
     fn an_arc_past_the_opening_is_clipped_and_the_shielded_share_is_stated() {
         let eye = Eye::build(&EyeInput::default());
-        let load = ArcLoad::new(
-            &ForcePulse { angle_deg: 30.0, half_width_deg: 20.0, ..ForcePulse::default() },
-            &eye,
-        );
+        let blow = ForcePulse { angle_deg: 30.0, half_width_deg: 20.0, ..ForcePulse::default() };
+        let load = ArcLoad::new(&blow, &eye);
         assert!((load.shielded - 0.25).abs() < 1e-12);
         let total: f64 = load.shares.iter().map(|s| s.1).sum();
         assert!((total - 1.0).abs() < 1e-12);
@@ -85,11 +74,8 @@ mod tests {
 
     #[test]
     fn a_twenty_degree_arc_loads_four_nodes_equally() {
-        let eye = Eye::build(&EyeInput::default());
-        let load = ArcLoad::new(&ForcePulse::default(), &eye);
+        let load = ArcLoad::new(&ForcePulse::default(), &Eye::build(&EyeInput::default()));
         assert_eq!(load.shares.len(), 4);
-        for (_, share) in load.shares {
-            assert!((share - 0.25).abs() < 1e-12);
-        }
+        assert!(load.shares.iter().all(|(_, share)| (share - 0.25).abs() < 1e-12));
     }
 }

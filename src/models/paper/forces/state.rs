@@ -1,7 +1,7 @@
 //! Positions, velocities and accelerations in the kernel's rows, and its working space.
 
 use crate::models::paper::forces::layout::{LANES, RowPlace};
-use crate::models::paper::forces::{aligned::Aligned, system::System};
+use crate::models::paper::forces::{aligned::Pairs, system::System};
 use nalgebra::{Point2, Vector2};
 
 /// The eye at one instant.
@@ -9,13 +9,10 @@ use nalgebra::{Point2, Vector2};
 pub struct State {
     /// Time, in s.
     pub time: f64,
-    pub(crate) x: Aligned,
-    pub(crate) y: Aligned,
-    pub(crate) vx: Aligned,
-    pub(crate) vy: Aligned,
+    pub(crate) position: Pairs,
+    pub(crate) velocity: Pairs,
     /// Acceleration by springs and load, drag left out.
-    pub(crate) ax: Aligned,
-    pub(crate) ay: Aligned,
+    pub(crate) acceleration: Pairs,
     /// Work done by the load so far, in J.
     pub work: f64,
     /// Energy lost to drag so far, in J.
@@ -27,106 +24,79 @@ pub struct State {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scratch {
     /// Forces from the row below.
-    pub up_x: Aligned,
-    pub up_y: Aligned,
+    pub up: Pairs,
     /// Forces from filaments and load; zero but on the shell.
-    pub extra_x: Aligned,
-    pub extra_y: Aligned,
+    pub extra: Pairs,
     /// The gathered ring.
-    pub ring_x: Aligned,
-    pub ring_y: Aligned,
+    pub ring: Pairs,
     /// Forces of the filaments on their first ends, a run for each hop count.
-    pub hop_fx: Aligned,
-    pub hop_fy: Aligned,
+    pub hops: Pairs,
 }
 
 impl State {
     /// `system` at rest, at time 0.
     pub fn at_rest(system: &System) -> Self {
-        let len = system.rest_x.len();
-        let zeros = || Aligned::zeros(len);
-        let ring = || Aligned::zeros(system.ring.padded_len());
-        let hops = || Aligned::zeros(system.ring.hops_len());
+        let zeros = || Pairs::zeros(system.rest.x.len());
         Self {
-            x: system.rest_x.clone(),
-            y: system.rest_y.clone(),
-            vx: zeros(),
-            vy: zeros(),
-            ax: zeros(),
-            ay: zeros(),
+            position: system.rest.clone(),
+            velocity: zeros(),
+            acceleration: zeros(),
             scratch: Scratch {
-                up_x: zeros(),
-                up_y: zeros(),
-                extra_x: zeros(),
-                extra_y: zeros(),
-                ring_x: ring(),
-                ring_y: ring(),
-                hop_fx: hops(),
-                hop_fy: hops(),
+                up: zeros(),
+                extra: zeros(),
+                ring: Pairs::zeros(system.ring.padded_len()),
+                hops: Pairs::zeros(system.ring.hops_len()),
             },
             ..Self::default()
         }
     }
 
-    /// Takes over the time, positions, velocities and accelerations of `other`, a state of the same
-    /// `system`.
+    /// Takes over all but the working space of `other`, a state of the same `system`.
     pub fn copy_motion(&mut self, system: &System, other: &Self) {
-        self.time = other.time;
-        let moved = system.first_row * system.stride..;
+        (self.time, self.work, self.dissipated) = (other.time, other.work, other.dissipated);
+        let moved = system.rows.first * system.rows.stride..;
         for (to, from) in [
-            (&mut self.x, &other.x),
-            (&mut self.y, &other.y),
-            (&mut self.vx, &other.vx),
-            (&mut self.vy, &other.vy),
-            (&mut self.ax, &other.ax),
-            (&mut self.ay, &other.ay),
+            (&mut self.position, &other.position),
+            (&mut self.velocity, &other.velocity),
+            (&mut self.acceleration, &other.acceleration),
         ] {
-            to[moved.clone()].copy_from_slice(&from[moved.clone()]);
+            to.x[moved.clone()].copy_from_slice(&from.x[moved.clone()]);
+            to.y[moved.clone()].copy_from_slice(&from.y[moved.clone()]);
         }
     }
 
     /// Position of the node at `place`, in m.
+    #[inline]
     pub fn position(&self, place: RowPlace) -> Point2<f64> {
-        Point2::new(self.x[place.slot], place.sign() * self.y[place.slot])
+        self.position.at(place).into()
     }
 
     /// Velocity of the node at `place`, in m/s.
+    #[inline]
     pub fn velocity(&self, place: RowPlace) -> Vector2<f64> {
-        Vector2::new(self.vx[place.slot], place.sign() * self.vy[place.slot])
+        self.velocity.at(place)
     }
 
     /// Acceleration of the node at `place`, drag included, in m/s^2.
+    #[inline]
     pub fn acceleration(&self, system: &System, place: RowPlace) -> Vector2<f64> {
-        let drag = system.decay_at(place.slot);
-        Vector2::new(
-            self.ax[place.slot] - drag * self.vx[place.slot],
-            place.sign() * (self.ay[place.slot] - drag * self.vy[place.slot]),
-        )
+        let fat = system.groups[place.slot / LANES].fat[place.slot % LANES];
+        let decay = system.decay[usize::from(fat > 0.0)];
+        self.acceleration.at(place) - self.velocity.at(place) * decay
     }
 
     /// Moves the node at `place` and sets its velocity: for tests and for starting off rest.
     pub fn set(&mut self, place: RowPlace, position: Point2<f64>, velocity: Vector2<f64>) {
-        self.x[place.slot] = position.x;
-        self.y[place.slot] = place.sign() * position.y;
-        self.vx[place.slot] = velocity.x;
-        self.vy[place.slot] = place.sign() * velocity.y;
+        self.position.put(place, position.coords);
+        self.velocity.put(place, velocity);
     }
 
     /// Speed that the load works on: the sum of share times velocity along the force, in m/s.
     pub(crate) fn load_speed(&self, system: &System) -> f64 {
-        system
-            .load()
-            .work
-            .iter()
-            .map(|&(slot, wx, wy)| wx * self.vx[slot] + wy * self.vy[slot])
-            .sum()
-    }
-}
-
-impl System {
-    /// Decay rate c/m at a slot, in 1/s.
-    pub(crate) fn decay_at(&self, slot: usize) -> f64 {
-        let fat = self.groups[slot / LANES].fat[slot % LANES];
-        if fat > 0.0 { self.decay[1] } else { self.decay[0] }
+        let (vx, vy) = self.velocity.slices();
+        let along = |&(slot, weight, force): &(usize, f64, Vector2<f64>)| {
+            weight * (force.x * vx[slot] + force.y * vy[slot])
+        };
+        system.loaded.iter().map(along).sum()
     }
 }

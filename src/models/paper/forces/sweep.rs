@@ -5,16 +5,13 @@
 //! its part; then its nodes may move at once, as nothing that comes later needs their old places.
 
 #![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-#![allow(
     unsafe_code,
     reason = "bounds are checked once a sweep: checked at every vector they took a tenth of the time"
 )]
 
 use crate::models::paper::forces::lanes::{
-    Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store, zeros,
+    Pair, Springs, Sums, V, fused, inverse_root_of, load, load_pair, shifted, splat, store_pair,
+    zeros,
 };
 use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SpringGroup, SurveyGroup};
 use crate::models::paper::forces::{state::State, system::System};
@@ -28,10 +25,15 @@ pub(crate) struct Nodes<'a, S: Simd> {
     pub lane: usize,
     pub group: &'a SpringGroup,
     pub position: Pair<S>,
-    pub vx: &'a mut [f64],
-    pub vy: &'a mut [f64],
-    pub ax: &'a mut [f64],
-    pub ay: &'a mut [f64],
+    pub velocity: (&'a mut [f64], &'a mut [f64]),
+    pub acceleration: (&'a mut [f64], &'a mut [f64]),
+}
+
+impl<S: Simd> Nodes<'_, S> {
+    #[inline(always)]
+    pub fn speeds(&self) -> Pair<S> {
+        load_pair(self.simd, (&*self.velocity.0, &*self.velocity.1), 0)
+    }
 }
 
 /// What a sweep does with the force on some nodes; returns their new positions.
@@ -43,47 +45,37 @@ pub(crate) trait Update<S: Simd> {
 #[repr(align(64))]
 struct Line(#[expect(dead_code, reason = "only its place matters")] [u8; 64]);
 
-/// A part of `run`, of which it is known that it is there.
+/// A part of two runs, of which it is known that it is there.
 ///
 /// # Safety
-/// `at + len` is no more than the length of `run`.
+/// `at + len` is no more than the length of either.
 #[inline(always)]
-unsafe fn part(run: &[f64], at: usize, len: usize) -> &[f64] {
-    debug_assert!(at + len <= run.len());
+unsafe fn parts<'a>(x: &'a [f64], y: &'a [f64], at: usize, len: usize) -> (&'a [f64], &'a [f64]) {
+    debug_assert!(at + len <= x.len() && at + len <= y.len());
     // SAFETY: as asked of the caller.
-    unsafe { run.get_unchecked(at..at + len) }
+    unsafe { (x.get_unchecked(at..at + len), y.get_unchecked(at..at + len)) }
 }
 
-/// [`part`] of a run that may be written.
+/// [`parts`] that may be written.
 ///
 /// # Safety
-/// As [`part`].
+/// As [`parts`].
 #[inline(always)]
-unsafe fn part_mut(run: &mut [f64], at: usize, len: usize) -> &mut [f64] {
-    debug_assert!(at + len <= run.len());
+unsafe fn parts_mut<'a>(
+    x: &'a mut [f64],
+    y: &'a mut [f64],
+    at: usize,
+    len: usize,
+) -> (&'a mut [f64], &'a mut [f64]) {
+    debug_assert!(at + len <= x.len() && at + len <= y.len());
     // SAFETY: as asked of the caller.
-    unsafe { run.get_unchecked_mut(at..at + len) }
+    unsafe { (x.get_unchecked_mut(at..at + len), y.get_unchecked_mut(at..at + len)) }
 }
 
-/// What a [`Quartet`] reads.
-///
-/// # Safety
-/// As [`part`], for either.
+/// Goes through all springs and gives `update` the force on each vector of nodes. What it returns
+/// becomes their position, but in a survey, which moves nothing.
 #[inline(always)]
-unsafe fn around<'a>(
-    x: &'a [f64],
-    y: &'a [f64],
-    slot: u32,
-    reach: usize,
-) -> (&'a [f64], &'a [f64]) {
-    // SAFETY: as asked of the caller.
-    unsafe { (part(x, slot as usize, reach), part(y, slot as usize, reach)) }
-}
-
-/// Goes through all springs and gives `update` the force on each vector of nodes. When `MOVE`,
-/// what `update` returns becomes their position.
-#[inline(always)]
-pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: bool>(
+pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool>(
     simd: S,
     system: &System,
     state: &mut State,
@@ -91,38 +83,39 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
     update: &mut impl Update<S>,
 ) {
     // Known to be small, so that sums of it cannot wrap and bounds need checking once.
-    let stride = system.stride as u32 as usize;
+    let stride = system.rows.stride as u32 as usize;
     // Makes the compiler align the stack, else vectors kept there may straddle two cache lines.
     std::hint::black_box(&mut Line([0; 64]));
     let width = V::<S>::LEN;
     let shortest = splat(simd, system.shortest_squared);
-    let State { x, y, vx, vy, ax, ay, scratch, .. } = state;
+    let State { position, velocity, acceleration, scratch, .. } = state;
     // Borrowed once, all of one length: a bound checked for one is checked for all.
-    let len = x.len();
-    let (x, y): (&mut [f64], &mut [f64]) = (&mut x[..len], &mut y[..len]);
-    let (vx, vy): (&mut [f64], &mut [f64]) = (&mut vx[..len], &mut vy[..len]);
-    let (ax, ay): (&mut [f64], &mut [f64]) = (&mut ax[..len], &mut ay[..len]);
-    let (extra_x, extra_y) = (&scratch.extra_x[..len], &scratch.extra_y[..len]);
-    let (up_x, up_y) = (&mut scratch.up_x[..len], &mut scratch.up_y[..len]);
-    let groups = &system.groups[..=system.active.last / LANES];
+    let len = position.x.len();
+    let (x, y) = (&mut position.x[..len], &mut position.y[..len]);
+    let (vx, vy) = (&mut velocity.x[..len], &mut velocity.y[..len]);
+    let (ax, ay) = (&mut acceleration.x[..len], &mut acceleration.y[..len]);
+    let (extra_x, extra_y) = (&scratch.extra.x[..len], &scratch.extra.y[..len]);
+    let (up_x, up_y) = (&mut scratch.up.x[..len], &mut scratch.up.y[..len]);
+    let [first, others @ ..] = system.active.as_slice() else {
+        return;
+    };
+    let last = *others.last().unwrap_or(first) as usize;
+    let groups = &system.groups[..=last / LANES];
     let reach = stride + 1 + width;
-    assert!(system.active.last + reach <= len, "a vector beyond the mesh");
+    assert!(last + reach <= len, "a vector beyond the mesh");
     // Forces on their way to the next vector.
     let mut across = zeros(simd);
     let mut rising = zeros(simd);
     let mut after_last = 0;
-    let [first, others @ ..] = system.active.slots.as_slice() else {
-        return;
-    };
     // One vector ahead, so that its roots are under way while the forces of this one are summed.
-    // SAFETY: no slot is beyond `active.last`, of which `reach` values have been found to be there.
-    let ahead = unsafe { around(x, y, *first, reach) };
+    // SAFETY: no slot is beyond `last`, of which `reach` values have been found to be there.
+    let ahead = unsafe { parts(x, y, *first as usize, reach) };
     let mut next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
-    for (&o, &following) in system.active.slots.iter().zip(others) {
+    for (&o, &following) in system.active.iter().zip(others) {
         let o = o as usize;
         let now = next;
         // SAFETY: as above.
-        let ahead = unsafe { around(x, y, following, reach) };
+        let ahead = unsafe { parts(x, y, following as usize, reach) };
         next = Quartet::<S>::new::<QUICK>(simd, ahead, stride, shortest);
         if o != after_last {
             // Between the two lies nothing that moves.
@@ -131,7 +124,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         }
         after_last = o + width;
         let lane = o & (LANES - width);
-        // SAFETY: no slot is beyond `active.last`, whose group is the last one.
+        // SAFETY: no slot is beyond `last`, whose group is the last one.
         let group = unsafe { groups.get_unchecked(o / LANES) };
         let mut forces = [zeros(simd); DIRECTIONS];
         let mut pulls = [shortest; DIRECTIONS];
@@ -157,34 +150,31 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool, const MOVE: 
         // SAFETY: of every run here `reach` values are there from `o` on, and `stride + width` are
         // fewer.
         let (above, extra, nodes) = unsafe {
-            let reach = stride + width;
-            let above = (part_mut(up_x, o, reach), part_mut(up_y, o, reach));
-            let extra = (part(extra_x, o, width), part(extra_y, o, width));
             let nodes = Nodes {
                 simd,
                 lane,
                 group,
-                position: load_pair(simd, part(x, o, width), part(y, o, width), 0),
-                vx: part_mut(vx, o, width),
-                vy: part_mut(vy, o, width),
-                ax: part_mut(ax, o, width),
-                ay: part_mut(ay, o, width),
+                position: load_pair(simd, parts(x, y, o, width), 0),
+                velocity: parts_mut(vx, vy, o, width),
+                acceleration: parts_mut(ax, ay, o, width),
             };
-            (above, load_pair(simd, extra.0, extra.1, 0), nodes)
+            let extra = load_pair(simd, parts(extra_x, extra_y, o, width), 0);
+            (parts_mut(up_x, up_y, o, stride + width), extra, nodes)
         };
-        let below = load_pair(simd, above.0, above.1, 0);
+        let below = load_pair(simd, (above.0, above.1), 0);
         let force = (
             ((to_right.0 + to_above.0) + (to_corner.0 - from_left.0)) + (below.0 + extra.0),
             ((to_right.1 + to_above.1) + (to_corner.1 - from_left.1)) + (below.1 + extra.1),
         );
-        store::<S>(above.0, stride, (from_above.0 - to_above.0) - from_corner.0);
-        store::<S>(above.1, stride, (from_above.1 - to_above.1) - from_corner.1);
+        let onto_above = (
+            (from_above.0 - to_above.0) - from_corner.0,
+            (from_above.1 - to_above.1) - from_corner.1,
+        );
+        store_pair::<S>(above, stride, onto_above);
         let moved = update.nodes(nodes, force);
-        if MOVE {
+        if !SURVEY {
             // SAFETY: as above.
-            let (x, y) = unsafe { (part_mut(x, o, width), part_mut(y, o, width)) };
-            store::<S>(x, 0, moved.0);
-            store::<S>(y, 0, moved.1);
+            store_pair::<S>(unsafe { parts_mut(x, y, o, width) }, 0, moved);
         }
     }
 }
@@ -205,10 +195,11 @@ impl<S: Simd> Quartet<S> {
     ) -> Self {
         let reach = stride + 1 + V::<S>::LEN;
         let (x, y) = (&x[..reach], &y[..reach]);
-        let here = load_pair(simd, x, y, 0);
-        let right = load_pair(simd, x, y, 1);
-        let above = load_pair(simd, x, y, stride);
-        let above_right = load_pair(simd, x, y, stride + 1);
+        let here = load_pair(simd, (x, y), 0);
+        let right = load_pair(simd, (x, y), 1);
+        let above = load_pair(simd, (x, y), stride);
+        let above_right = load_pair(simd, (x, y), stride + 1);
+        // No closures here: they would not be compiled for the machine's vectors.
         let springs = [
             Springs::<S>::new::<QUICK>(here, right, shortest_squared),
             Springs::<S>::new::<QUICK>(here, above, shortest_squared),
@@ -242,7 +233,8 @@ impl<S: Simd> Quartet<S> {
         }
         // The signed area of a quad is half the cross product of its diagonals.
         let [.., rising, falling] = &self.springs;
-        let cross = fused::<S, QUICK>(rising.dy, falling.dx, -(rising.dx * falling.dy));
+        let (rising, falling) = (rising.span, falling.span);
+        let cross = fused::<S, QUICK>(rising.1, falling.0, -(rising.0 * falling.1));
         let inverse = load(simd, &group.inverse_area, lane);
         let ratio = fused::<S, QUICK>(cross, inverse, load(simd, &group.no_quad, lane));
         sums.quad_ratio = sums.quad_ratio.min(ratio);

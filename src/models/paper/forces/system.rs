@@ -12,57 +12,47 @@
 //! below it is a ghost that mirrors the row above; each node then stands for itself and its image,
 //! which the weights in the energy sums account for. The motion is the whole eye's to round-off.
 
-use crate::models::paper::eye::{Eye, frequency, springs::SpringKind};
-use crate::models::paper::forces::layout::{
-    Active, LANES, MovedRows, RowPlace, SHIFT, SpringGroup, SurveyGroup,
-};
-use crate::models::paper::forces::{aligned::Aligned, lanes};
+use crate::models::paper::eye::{Eye, crossed, frequency, springs::SpringKind};
+use crate::models::paper::forces::layout::{LANES, MovedRows, RowPlace, SpringGroup, SurveyGroup};
+use crate::models::paper::forces::{aligned::Pairs, lanes};
 use crate::models::paper::forces::{load::ArcLoad, ring, ring::Ring};
 use crate::models::pulse::Pulse;
 use fearless_simd::{Level, dispatch};
+use nalgebra::Vector2;
+use std::ops::Range;
 
 /// A spring shorter than this share of the shortest rest length is treated as that long, so that
 /// its direction stays defined: the force is continuous and no NaN can arise.
 const SHORTEST_SHARE: f64 = 1e-6;
 
-/// The load as the kernel applies it.
-#[derive(Debug, Clone)]
-pub struct NodeLoad {
-    /// Force against time.
-    pub pulse: Pulse,
-    /// Slot, share along x, share along y.
-    pub(crate) shares: Vec<(usize, f64, f64)>,
-    /// Slot, weight along x, weight along y: gives the speed that does the load's work.
-    pub(crate) work: Vec<(usize, f64, f64)>,
-}
-
 /// An eye and its load, ready to be moved.
 #[derive(Debug, Clone)]
 pub struct System {
-    pub(crate) side: usize,
-    pub(crate) stride: usize,
-    /// First row whose springs are evaluated; a ghost when mirrored.
-    pub(crate) first_row: usize,
-    /// Row that the ghost mirrors.
-    pub(crate) mirror_row: Option<usize>,
+    pub(crate) rows: MovedRows,
     pub(crate) groups: Vec<SpringGroup>,
     pub(crate) survey: Vec<SurveyGroup>,
     pub(crate) ring: Ring,
     pub(crate) shortest_squared: f64,
-    pub(crate) rest_x: Aligned,
-    pub(crate) rest_y: Aligned,
+    pub(crate) rest: Pairs,
     /// Decay rate c/m of globe and fat, in 1/s.
     pub(crate) decay: [f64; 2],
     /// Use only operations that every machine rounds alike.
     pub(crate) portable: bool,
     /// The machine's vectors.
     pub(crate) level: Level,
-    /// The vectors that hold anything that moves.
-    pub(crate) active: Active,
+    /// First slots of the vectors that hold anything that moves, rising; the last one twice, because
+    /// the sweep looks one ahead.
+    pub(crate) active: Vec<u32>,
     places: Vec<RowPlace>,
-    load: NodeLoad,
-    omega_bound: f64,
-    springs_per_evaluation: usize,
+    /// Force of the load against time.
+    pub pulse: Pulse,
+    /// Slot of a loaded node, how many nodes it stands for, and force per N of load.
+    pub(crate) loaded: Vec<(usize, f64, Vector2<f64>)>,
+    /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
+    /// rad/s; see [`crate::models::paper::eye::frequency`].
+    pub omega_bound: f64,
+    /// Springs that one force evaluation computes.
+    pub springs_per_evaluation: usize,
 }
 
 impl System {
@@ -74,69 +64,63 @@ impl System {
         let stride = side.next_multiple_of(LANES);
         let rows = MovedRows::new(side, stride, mirrored);
 
+        let ring = ring::compile(eye, &rows);
+        let filaments = ring.strips.iter().flat_map(|strip| strip.stiffness).filter(|&k| k > 0.0);
+        let places: Vec<RowPlace> = eye.nodes.iter().map(|n| rows.place(n.grid)).collect();
+        let loaded = load.shares.iter().filter(|(node, _)| !places[*node].mirrored);
+        let loaded = loaded.map(|&(node, share)| {
+            let weight = rows.weight(eye.nodes[node].grid.1);
+            (places[node].slot, weight, load.direction * share)
+        });
+        let shortest = eye.springs.iter().map(|s| s.rest_length).fold(f64::INFINITY, f64::min);
         let no_quads = SurveyGroup { no_quad: [1.0; LANES], ..SurveyGroup::default() };
         let mut system = Self {
-            side,
-            stride,
-            first_row: rows.first,
-            mirror_row: rows.mirror,
             groups: vec![SpringGroup::default(); (side + 1) * stride / LANES],
             survey: vec![no_quads; (side + 1) * stride / LANES],
-            ring: Ring::default(),
-            shortest_squared: shortest_squared(eye),
-            rest_x: Aligned::zeros((side + 1) * stride + LANES),
-            rest_y: Aligned::zeros((side + 1) * stride + LANES),
+            shortest_squared: (SHORTEST_SHARE * shortest).powi(2),
+            rest: Pairs::zeros((side + 1) * stride + LANES),
             decay: decay_rates(eye),
             portable,
             level: Level::new(),
-            active: Active::default(),
-            places: eye.nodes.iter().map(|n| rows.place(n.grid)).collect(),
-            load: NodeLoad { pulse, shares: Vec::new(), work: Vec::new() },
+            active: Vec::new(),
+            pulse,
+            loaded: loaded.collect(),
+            places,
+            rows,
             omega_bound: frequency::omega_bound(eye),
-            springs_per_evaluation: 0,
+            springs_per_evaluation: filaments.count(),
+            ring,
         };
-        system.put_nodes(eye, &rows);
-        system.put_springs(eye, &rows);
+        system.put_nodes(eye);
+        system.put_springs(eye);
         system.set_level(Level::new());
-        system.put_quads(eye, &rows);
-        system.ring = ring::compile(eye, &rows);
-        system.springs_per_evaluation += system.ring.filaments();
-        for &(node, share) in &load.shares {
-            let place = rows.place(eye.nodes[node].grid);
-            if !place.mirrored {
-                let (fx, fy) = (share * load.direction.x, share * load.direction.y);
-                let weight = rows.weight(eye.nodes[node].grid.1);
-                system.load.shares.push((place.slot, fx, fy));
-                system.load.work.push((place.slot, weight * fx, weight * fy));
-            }
-        }
+        system.put_quads(eye);
         system
     }
 
-    fn put_nodes(&mut self, eye: &Eye, rows: &MovedRows) {
+    fn put_nodes(&mut self, eye: &Eye) {
+        let rows = self.rows;
         // Places without a node get distinct positions too, so that no length there is zero.
-        for j in 0..self.side {
-            for i in 0..self.stride {
-                self.rest_x[j * self.stride + i] = i as f64 * 1e-3;
-                self.rest_y[j * self.stride + i] = j as f64 * 1e-3;
-            }
+        for slot in 0..rows.side * rows.stride {
+            self.rest.x[slot] = (slot % rows.stride) as f64 * 1e-3;
+            self.rest.y[slot] = (slot / rows.stride) as f64 * 1e-3;
         }
         for node in &eye.nodes {
-            let (i, j) = node.grid;
-            let slot = j * self.stride + i + SHIFT;
-            self.rest_x[slot] = node.position.x;
-            self.rest_y[slot] = node.position.y;
-            if node.fixed() || !rows.owns(j) {
+            let (slot, row) = (rows.slot(node.grid), node.grid.1);
+            self.rest.x[slot] = node.position.x;
+            self.rest.y[slot] = node.position.y;
+            if node.fixed() || !rows.owns(row) {
                 continue;
             }
             let (group, lane) = (&mut self.groups[slot / LANES], slot % LANES);
             group.inverse_mass[lane] = 1.0 / node.mass;
-            group.half_mass[lane] = 0.5 * node.mass * rows.weight(j);
+            group.half_mass[lane] = 0.5 * node.mass * rows.weight(row);
             group.fat[lane] = if node.region.in_globe() { 0.0 } else { 1.0 };
         }
     }
 
-    fn put_springs(&mut self, eye: &Eye, rows: &MovedRows) {
+    fn put_springs(&mut self, eye: &Eye) {
+        let rows = self.rows;
         for spring in &eye.springs {
             let (a, b) = (&eye.nodes[spring.a], &eye.nodes[spring.b]);
             if spring.kind == SpringKind::Filament || (a.fixed() && b.fixed()) {
@@ -154,7 +138,7 @@ impl System {
             if row < rows.first || (!rows.owns(row) && direction == 0) {
                 continue;
             }
-            let slot = row * self.stride + ai.min(bi) + SHIFT;
+            let slot = rows.slot((ai.min(bi), row));
             let weight = 0.5 * (rows.weight(aj) + rows.weight(bj));
             let (k, l) = (spring.stiffness, spring.rest_length);
             let (g, lane) = (slot / LANES, slot % LANES);
@@ -166,15 +150,15 @@ impl System {
         }
     }
 
-    fn put_quads(&mut self, eye: &Eye, rows: &MovedRows) {
+    fn put_quads(&mut self, eye: &Eye) {
+        let rows = self.rows;
         for quad in &eye.quads {
-            let p = quad.map(|i| eye.nodes[i].position);
-            let (i, j) = eye.nodes[quad[0]].grid;
-            if j < rows.first {
+            let grid = eye.nodes[quad[0]].grid;
+            if grid.1 < rows.first {
                 continue;
             }
-            let slot = j * self.stride + i + SHIFT;
-            let twice_area = (p[2] - p[0]).perp(&(p[3] - p[1]));
+            let slot = rows.slot(grid);
+            let twice_area = crossed(quad.map(|i| eye.nodes[i].position));
             let group = &mut self.survey[slot / LANES];
             group.inverse_area[slot % LANES] = 1.0 / twice_area;
             group.no_quad[slot % LANES] = 0.0;
@@ -189,49 +173,34 @@ impl System {
             let (group, lane) = (&self.groups[slot / LANES], slot % LANES);
             group.inverse_mass[lane] > 0.0 || group.stiffness.iter().any(|k| k[lane] > 0.0)
         };
-        let (first, last) = (self.first_row * self.stride, self.side * self.stride);
-        let slots = (first..last).step_by(width);
-        let busy = slots.filter(|&slot| (slot..slot + width).any(busy));
-        self.active = Active::new(busy);
+        let rows = self.rows;
+        let slots = (rows.first * rows.stride..rows.side * rows.stride).step_by(width);
+        let active = slots.filter(|&slot| (slot..slot + width).any(busy));
+        self.active = active.map(|slot| slot as u32).collect();
+        self.active.extend(self.active.last().copied());
+    }
+
+    /// The slots of the rows that hold all moving nodes.
+    pub(crate) fn moving(&self) -> Range<usize> {
+        self.rows.first * self.rows.stride..(self.rows.side - 1) * self.rows.stride
     }
 
     /// Where node `node` of the eye is found.
+    #[inline]
     pub fn place(&self, node: usize) -> RowPlace {
         self.places[node]
     }
 
-    /// The load.
-    pub fn load(&self) -> &NodeLoad {
-        &self.load
-    }
-
-    /// Upper bound of the highest angular frequency of the mesh in any shape it may take, in
-    /// rad/s; see [`crate::models::paper::eye::frequency`].
-    pub fn omega_bound(&self) -> f64 {
-        self.omega_bound
-    }
-
-    /// Springs that one force evaluation computes.
-    pub fn springs_per_evaluation(&self) -> usize {
-        self.springs_per_evaluation
-    }
-
     /// Whether only the upper half is moved.
     pub fn mirrored(&self) -> bool {
-        self.mirror_row.is_some()
+        self.rows.mirror.is_some()
     }
-}
-
-fn shortest_squared(eye: &Eye) -> f64 {
-    let shortest = eye.springs.iter().map(|s| s.rest_length).fold(f64::INFINITY, f64::min);
-    (SHORTEST_SHARE * shortest).powi(2)
 }
 
 fn decay_rates(eye: &Eye) -> [f64; 2] {
     [true, false].map(|globe| {
-        eye.nodes
-            .iter()
-            .find(|n| n.region.in_globe() == globe && !n.fixed())
-            .map_or(0.0, |n| n.drag / n.mass)
+        let mut moving = eye.nodes.iter().filter(|n| !n.fixed());
+        let first = moving.find(|n| n.region.in_globe() == globe);
+        first.map_or(0.0, |n| n.drag / n.mass)
     })
 }

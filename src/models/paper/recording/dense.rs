@@ -6,48 +6,50 @@
 //!
 //! An interval never spans a break of the load, where the acceleration jumps.
 
-use crate::models::paper::forces::system::System;
-use crate::models::paper::{eye::Eye, eye::springs::Spring, forces::state::State};
+use crate::models::paper::eye::{Eye, hats, springs::Spring};
+use crate::models::paper::forces::{state::State, system::System};
 use crate::models::pulse::Piece;
 use crate::run::kept::Peak;
-use nalgebra::{Point2, Vector2};
+use nalgebra::Vector2;
 
-/// The path of one node through one step.
+/// One step, from one state to another.
 #[derive(Debug, Clone, Copy)]
-pub struct Path {
-    origin: Point2<f64>,
-    coefficients: [Vector2<f64>; 5],
-    duration: f64,
+pub(crate) struct Interval<'a> {
+    pub system: &'a System,
+    pub before: &'a State,
+    pub after: &'a State,
 }
 
-impl Path {
-    /// The path of node `node` from `before` to `after`.
-    pub fn between(system: &System, before: &State, after: &State, node: usize) -> Self {
-        Self::of(system, before, after, &[(node, 1.0)])
+impl Interval<'_> {
+    /// Its length, in s.
+    pub fn length(self) -> f64 {
+        self.after.time - self.before.time
+    }
+
+    /// The time at a share of it, in s.
+    pub fn time(self, share: f64) -> f64 {
+        self.before.time + share * self.length()
     }
 
     /// The path of the sum of some nodes, each times its weight: of their mean, if the weights add
     /// up to 1.
-    pub fn of(system: &System, before: &State, after: &State, nodes: &[(usize, f64)]) -> Self {
-        let h = after.time - before.time;
-        let mut ends = [[Vector2::zeros(); 3]; 2];
-        for &(node, weight) in nodes {
-            let place = system.place(node);
-            for (end, state) in ends.iter_mut().zip([before, after]) {
-                end[0] += state.position(place).coords * weight;
-                end[1] += state.velocity(place) * weight;
-                end[2] += state.acceleration(system, place) * weight;
-            }
-        }
-        let [[p0, v0, a0], [p1, v1, a1]] = ends;
+    pub fn path(self, nodes: &[(usize, f64)]) -> Path {
+        let (system, h) = (self.system, self.length());
+        let [[p0, v0, a0], [p1, v1, a1]] = [self.before, self.after].map(|state| {
+            [
+                hats::sum(nodes, |n| state.position(system.place(n)).coords),
+                hats::sum(nodes, |n| state.velocity(system.place(n))),
+                hats::sum(nodes, |n| state.acceleration(system, system.place(n))),
+            ]
+        });
         let (v0, v1) = (v0 * h, v1 * h);
         let (a0, a1) = (a0 * (h * h), a1 * (h * h));
         let p = p1 - p0 - v0 - a0 * 0.5;
         let v = v1 - v0 - a0;
         let a = a1 - a0;
-        Self {
-            origin: Point2::from(p0),
+        Path {
             coefficients: [
+                p0,
                 v0,
                 a0 * 0.5,
                 p * 10.0 - v * 4.0 + a * 0.5,
@@ -57,31 +59,37 @@ impl Path {
             duration: h,
         }
     }
+}
 
+/// The path of a node through one step: a polynomial of the share of the step.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Path {
+    coefficients: [Vector2<f64>; 6],
+    duration: f64,
+}
+
+impl Path {
     /// The path as seen from a node on `other`, over the same step.
     fn relative_to(self, other: &Self) -> Self {
-        Self {
-            origin: Point2::from(self.origin - other.origin),
-            coefficients: std::array::from_fn(|i| self.coefficients[i] - other.coefficients[i]),
-            duration: self.duration,
-        }
+        let coefficients = std::array::from_fn(|i| self.coefficients[i] - other.coefficients[i]);
+        Self { coefficients, ..self }
     }
 
     /// Position at share `s` of the step, in m.
-    pub fn position(&self, s: f64) -> Point2<f64> {
-        let [c1, c2, c3, c4, c5] = self.coefficients;
-        self.origin + (c1 + (c2 + (c3 + (c4 + c5 * s) * s) * s) * s) * s
+    pub fn position(&self, s: f64) -> Vector2<f64> {
+        let [c0, c1, c2, c3, c4, c5] = self.coefficients;
+        c0 + (c1 + (c2 + (c3 + (c4 + c5 * s) * s) * s) * s) * s
     }
 
     /// Velocity at share `s` of the step, in m/s.
     pub fn velocity(&self, s: f64) -> Vector2<f64> {
-        let [c1, c2, c3, c4, c5] = self.coefficients;
+        let [_, c1, c2, c3, c4, c5] = self.coefficients;
         (c1 + (c2 * 2.0 + (c3 * 3.0 + (c4 * 4.0 + c5 * (5.0 * s)) * s) * s) * s) / self.duration
     }
 
     /// Acceleration at share `s` of the step, in m/s^2: two orders less accurate than position.
-    pub fn acceleration(&self, s: f64) -> Vector2<f64> {
-        let [_, c2, c3, c4, c5] = self.coefficients;
+    fn acceleration(&self, s: f64) -> Vector2<f64> {
+        let [_, _, c2, c3, c4, c5] = self.coefficients;
         (c2 * 2.0 + (c3 * 6.0 + (c4 * 12.0 + c5 * (20.0 * s)) * s) * s)
             / (self.duration * self.duration)
     }
@@ -91,12 +99,12 @@ impl Path {
 const GAIN_LEFT: f64 = 1e-7;
 
 /// Most intervals of a scan.
-pub const MAX_POINTS: usize = 24;
+const MAX_POINTS: usize = 24;
 
 /// Largest value of `f` over shares 0 to 1 of a step, and the share: a scan of `points` intervals,
 /// at most [`MAX_POINTS`], then parabolas through the best three points, unless these stay at or
 /// below `floor`.
-pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
+pub(crate) fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
     let points = points.min(MAX_POINTS);
     let spacing = 1.0 / points as f64;
     let mut samples = [f64::NEG_INFINITY; MAX_POINTS + 1];
@@ -149,7 +157,7 @@ pub fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64
 /// Only springs that leave the hat or change the weight within it count; at level 1 these are
 /// those of the node.
 #[derive(Debug, Clone)]
-pub struct NodeForce {
+pub(crate) struct NodeForce {
     /// Mass of the node in the middle, in kg.
     mass: f64,
     /// Each node's weight times its mass, as a share of `mass`.
@@ -158,13 +166,8 @@ pub struct NodeForce {
     drags: Vec<(f64, Vec<(usize, f64)>)>,
     /// Every node at an end of a spring.
     ends: Vec<usize>,
-    /// Places in `ends`, the heavier first; stiffness times difference of weights; rest length.
-    springs: Vec<((usize, usize), f64, f64)>,
-    /// Paths of the drags' nodes, of all ends, and of the springs from end to end; kept so that no
-    /// step allocates.
-    dragged: Vec<(f64, Path)>,
-    paths: Vec<Path>,
-    spans: Vec<Path>,
+    /// The springs, with places in `ends`.
+    tugs: Vec<Tug>,
     /// Force per N of load.
     load: Vector2<f64>,
 }
@@ -183,90 +186,53 @@ impl NodeForce {
             }
         }
         let mut ends: Vec<usize> = hat.iter().map(|(node, _)| *node).collect();
-        let mut place = |node| {
-            ends.iter().position(|&n| n == node).unwrap_or_else(|| {
+        let mut tugs = tugs(eye, hat);
+        for end in tugs.iter_mut().flat_map(|tug| &mut tug.ends) {
+            let place = ends.iter().position(|node| node == end);
+            let node = std::mem::replace(end, place.unwrap_or(ends.len()));
+            if place.is_none() {
                 ends.push(node);
-                ends.len() - 1
-            })
-        };
-        let springs: Vec<_> = tugs(eye, hat)
-            .into_iter()
-            .map(|tug| {
-                let ends = (place(tug.ends.0), place(tug.ends.1));
-                (ends, tug.stiffness, tug.rest_length)
-            })
-            .collect();
-        Self {
-            mass,
-            nodes: hat
-                .iter()
-                .map(|&(node, weight)| (node, weight * eye.nodes[node].mass / mass))
-                .collect(),
-            dragged: Vec::with_capacity(drags.len()),
-            drags,
-            paths: Vec::with_capacity(ends.len()),
-            ends,
-            spans: Vec::with_capacity(springs.len()),
-            springs,
-            load,
+            }
         }
+        let weighed = |&(node, weight): &(usize, f64)| (node, weight * eye.nodes[node].mass / mass);
+        Self { mass, nodes: hat.iter().map(weighed).collect(), drags, ends, tugs, load }
     }
 
     /// |sum w m a| at a step end, in N.
     pub fn at(&self, system: &System, state: &State) -> f64 {
-        let mut sum = Vector2::zeros();
-        for &(node, share) in &self.nodes {
-            sum += state.acceleration(system, system.place(node)) * share;
-        }
-        self.mass * sum.norm()
+        let acceleration = |node| state.acceleration(system, system.place(node));
+        self.mass * hats::sum(&self.nodes, acceleration).norm()
     }
 
     /// A guess at the largest force within a step, from the interpolated acceleration.
-    pub fn guess(&self, system: &System, before: &State, after: &State) -> f64 {
-        let path = Path::of(system, before, after, &self.nodes);
-        [0.25, 0.5, 0.75]
-            .iter()
-            .map(|&s| self.mass * path.acceleration(s).norm())
-            .fold(0.0, f64::max)
+    pub fn guess(&self, step: Interval) -> f64 {
+        let path = step.path(&self.nodes);
+        let forces = [0.25, 0.5, 0.75].map(|s| self.mass * path.acceleration(s).norm());
+        forces.into_iter().fold(0.0, f64::max)
     }
 
     /// Largest force within a step by the load law `piece`, in N, and when, in s: a scan of
     /// `points` intervals, refined if it finds more than `floor`.
-    pub fn largest(
-        &mut self,
-        system: &System,
-        (before, after): (&State, &State),
-        piece: Piece,
-        (points, floor): (usize, f64),
-    ) -> Peak {
-        let path = |nodes: &[(usize, f64)]| Path::of(system, before, after, nodes);
-        self.dragged.clear();
-        let drags = self.drags.iter().map(|(drag, nodes)| (*drag, path(nodes)));
-        self.dragged.extend(drags);
-        self.paths.clear();
-        self.paths.extend(self.ends.iter().map(|&n| path(&[(n, 1.0)])));
-        self.spans.clear();
-        let paths = &self.paths;
-        let spans = self.springs.iter().map(|((a, b), ..)| paths[*b].relative_to(&paths[*a]));
-        self.spans.extend(spans);
-        let pulse = &system.load().pulse;
-        let h = after.time - before.time;
+    pub fn largest(&self, step: Interval, piece: Piece, points: usize, floor: f64) -> Peak {
+        let dragged: Vec<_> = self.drags.iter().map(|(d, nodes)| (*d, step.path(nodes))).collect();
+        let paths: Vec<_> = self.ends.iter().map(|&node| step.path(&[(node, 1.0)])).collect();
+        let span = |tug: &Tug| paths[tug.ends[1]].relative_to(&paths[tug.ends[0]]);
+        let spans: Vec<_> = self.tugs.iter().map(span).collect();
         let (value, share) = maximum(points, floor, |s| {
-            let force = pulse.force(piece, before.time + s * h);
-            let mut sum = self.load * force;
-            for (drag, path) in &self.dragged {
+            let mut sum = self.load * step.system.pulse.force(piece, step.time(s));
+            for (drag, path) in &dragged {
                 sum -= path.velocity(s) * *drag;
             }
-            for ((_, k, rest), span) in self.springs.iter().zip(&self.spans) {
-                let d = span.position(s).coords;
+            for (tug, span) in self.tugs.iter().zip(&spans) {
+                let d = span.position(s);
                 let length = d.norm();
                 if length > 0.0 {
-                    sum += d * (k * (1.0 - rest / length));
+                    sum += d * (tug.stiffness * (1.0 - tug.rest_length / length));
                 }
             }
             sum.norm()
         });
-        Peak { value, time: before.time + share * h }
+        Peak { value, time: step.time(share) }
     }
 }
 
@@ -274,7 +240,7 @@ impl NodeForce {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tug {
     /// The end of larger weight and the other.
-    pub ends: (usize, usize),
+    pub ends: [usize; 2],
     /// Stiffness times the difference of weights, in N/m.
     pub stiffness: f64,
     /// Stiffness times the square of that difference, in N/m.
@@ -292,7 +258,7 @@ pub(crate) fn tugs(eye: &Eye, hat: &[(usize, f64)]) -> Vec<Tug> {
     let tug = |s: &Spring| {
         let difference: f64 = weights[s.a] - weights[s.b];
         (difference != 0.0).then(|| Tug {
-            ends: if difference > 0.0 { (s.a, s.b) } else { (s.b, s.a) },
+            ends: if difference > 0.0 { [s.a, s.b] } else { [s.b, s.a] },
             stiffness: s.stiffness * difference.abs(),
             squared: s.stiffness * (difference * difference),
             rest_length: s.rest_length,

@@ -3,16 +3,15 @@
 //! A frame falls between two step ends; positions come from dense output and forces from one
 //! evaluation at them, so a frame is as accurate as the steps and a replay never simulates.
 
-use crate::models::paper::recording::dense::Path;
+use crate::models::paper::recording::dense::Interval;
 use crate::models::paper::{eye::Eye, forces::state::State, forces::system::System};
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Spacing};
 
 /// Collects frames during a run.
 #[derive(Debug, Clone)]
-pub struct FrameTaker {
+pub(crate) struct FrameTaker {
     spacing: Spacing,
-    nodes: usize,
     masses: Vec<f64>,
     probe: State,
     taken: usize,
@@ -25,7 +24,6 @@ impl FrameTaker {
     pub fn new(spacing: Spacing, eye: &Eye, system: &System) -> Self {
         Self {
             spacing,
-            nodes: eye.nodes.len(),
             masses: eye.nodes.iter().map(|n| if n.fixed() { 0.0 } else { n.mass }).collect(),
             probe: State::at_rest(system),
             taken: 0,
@@ -33,46 +31,46 @@ impl FrameTaker {
         }
     }
 
-    fn due(&self) -> f64 {
-        self.spacing.due(self.taken)
-    }
-
     /// Takes the frame at the very start.
     pub fn begin(&mut self, system: &System, state: &State) {
         if self.taken == 0 {
-            self.keep(system, state);
+            self.probe.copy_motion(system, state);
+            self.keep(system, 0.0);
         }
     }
 
-    /// Takes the frames that fall in the step from `before` to `after`.
-    pub fn step(&mut self, system: &System, (before, after): (&State, &State), piece: Piece) {
-        let h = after.time - before.time;
-        // The frame at the end of the window must not be lost to rounding.
-        while self.due() <= after.time + 1e-9 * self.spacing.every {
-            let share = ((self.due() - before.time) / h).min(1.0);
-            let mut probe = std::mem::take(&mut self.probe);
-            probe.time = before.time + share * h;
-            for node in 0..self.nodes {
+    /// Takes the frames that fall in a step by the load law `piece`.
+    pub fn step(&mut self, step: Interval, piece: Piece) {
+        let system = step.system;
+        loop {
+            let due = self.spacing.due(self.taken);
+            // The frame at the end of the window must not be lost to rounding.
+            if due > step.after.time + 1e-9 * self.spacing.every {
+                break;
+            }
+            let share = ((due - step.before.time) / step.length()).min(1.0);
+            self.probe.time = step.time(share);
+            for node in 0..self.masses.len() {
                 let place = system.place(node);
                 if !place.mirrored {
-                    let path = Path::between(system, before, after, node);
-                    probe.set(place, path.position(share), path.velocity(share));
+                    let path = step.path(&[(node, 1.0)]);
+                    self.probe.set(place, path.position(share).into(), path.velocity(share));
                 }
             }
-            probe.evaluate(system, piece);
-            self.keep(system, &probe);
-            self.probe = probe;
+            self.probe.evaluate(system, piece);
+            self.keep(system, due);
         }
     }
 
-    fn keep(&mut self, system: &System, state: &State) {
+    /// Keeps what the probe shows.
+    fn keep(&mut self, system: &System, time: f64) {
+        let (probe, nodes) = (&self.probe, 0..self.masses.len());
+        let force = |n| self.masses[n] * probe.acceleration(system, system.place(n)).norm();
         self.frames.push(Frame {
             front: None,
-            time: self.due(),
-            positions: (0..self.nodes).map(|n| state.position(system.place(n))).collect(),
-            forces: (0..self.nodes)
-                .map(|n| self.masses[n] * state.acceleration(system, system.place(n)).norm())
-                .collect(),
+            time,
+            positions: nodes.clone().map(|n| probe.position(system.place(n))).collect(),
+            forces: nodes.map(force).collect(),
             cells: Vec::new(),
             projectile: None,
             squeezed: 0.0,

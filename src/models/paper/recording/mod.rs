@@ -2,17 +2,17 @@
 //!
 //! A replay, a chart or an export reads a [`Recording`]; none of them simulates.
 
-pub mod dense;
-pub mod frames;
-pub mod lengths;
-pub mod recorder;
-pub mod settling;
+mod dense;
+mod frames;
+mod lengths;
+pub(super) mod recorder;
+mod settling;
 
 use crate::run::kept::{Frame, Peak, Traces};
 use crate::run::{fold::Fold, plan::Cost};
 
 /// Largest values over every step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PaperExtremes {
     /// |sum w m a| over the hats of the monitored nodes, in N; at level 1 |m a| of the node.
     pub force: [Peak; 4],
@@ -41,21 +41,6 @@ pub struct PaperExtremes {
     pub could_rise: bool,
     /// Whether a load was so small that all it does is rounding, and was taken as nothing.
     pub lost_in_rounding: bool,
-}
-
-impl PaperExtremes {
-    /// Nothing acted on the eye: what it seems to have done is rounding.
-    fn forget_rounding(&mut self) {
-        let nothing = Peak::floor(0.0);
-        self.force = [nothing; 4];
-        self.apex = nothing;
-        self.shell_growth = nothing;
-        self.meridian_growth = nothing;
-        self.elastic = nothing;
-        self.strain = nothing;
-        self.work = 0.0;
-        self.energy_residual = 0.0;
-    }
 }
 
 /// Everything kept of one run.

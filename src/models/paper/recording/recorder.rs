@@ -1,16 +1,14 @@
 //! The observer that turns a run into a recording.
 
-use crate::models::paper::forces::{state::State, system::System};
+use crate::models::paper::eye::{Eye, crossed, hats::Hat, mesh::Node};
+use crate::models::paper::forces::{load::ArcLoad, state::State, system::System};
+use crate::models::paper::recording::dense::{Interval, NodeForce};
 use crate::models::paper::recording::lengths::{Growth, LengthKind, LinePoint};
-use crate::models::paper::recording::settling::{Bend, RiseBounds, ShellBound};
-use crate::models::paper::recording::{PaperExtremes, Recording};
-use crate::models::paper::recording::{dense::NodeForce, frames::FrameTaker};
-use crate::models::paper::time::march::Observer;
-use crate::models::paper::{
-    eye::Eye, eye::hats::Hat, forces::kernel::Survey, forces::load::ArcLoad,
-};
+use crate::models::paper::recording::settling::{Bend, Bound, RiseBounds, ShellBound};
+use crate::models::paper::recording::{PaperExtremes, Recording, frames::FrameTaker};
+use crate::models::paper::time::march::Moment;
 use crate::models::pulse::Piece;
-use crate::run::kept::{Keep, Peak, Traces};
+use crate::run::kept::{Frame, Keep, Traces};
 use crate::run::{fold::FoldWatch, places::Region, plan::Cost};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
@@ -48,32 +46,21 @@ struct Quad {
 
 impl Quad {
     fn new(eye: &Eye, corners: [usize; 4]) -> Self {
-        let at = |node: usize| eye.nodes[node].position;
-        let sum = corners.iter().fold(Vector2::zeros(), |sum, &n| sum + at(n).coords);
-        let regions = corners.map(|node| eye.nodes[node].region);
+        let nodes: [&Node; 4] = corners.map(|node| &eye.nodes[node]);
+        let sum: Vector2<f64> = nodes.iter().map(|node| node.position.coords).sum();
         Self {
             corners,
-            area: crossed(corners.map(at)),
+            area: crossed(nodes.map(|node| node.position)),
             middle: Point2::from(sum / 4.0),
-            part: if regions.contains(&Region::Lens) {
+            part: if nodes.iter().any(|node| node.region == Region::Lens) {
                 Region::Lens
-            } else if regions.into_iter().all(Region::in_globe) {
+            } else if nodes.iter().all(|node| node.region.in_globe()) {
                 Region::Interior
             } else {
                 Region::Fat
             },
         }
     }
-
-    /// Its signed area over that at rest, with its corners `at` some places.
-    fn ratio(&self, at: impl Fn(usize) -> Point2<f64>) -> f64 {
-        crossed(self.corners.map(at)) / self.area
-    }
-}
-
-/// Twice the signed area of a quad: the cross product of its diagonals.
-fn crossed([a, b, c, d]: [Point2<f64>; 4]) -> f64 {
-    (c - a).perp(&(d - b))
 }
 
 /// What rounding does to a position some 10 mm away from the middle, in m.
@@ -84,24 +71,19 @@ const LOST: f64 = 1e4;
 
 /// Watches a run and records it.
 #[derive(Debug)]
-pub struct Recorder {
+pub(crate) struct Recorder {
     before: State,
     monitors: [NodeForce; 4],
-    forces: [Peak; 4],
     last_forces: [f64; 4],
-    /// Whether the kernel's length of the shell is the one to follow: every node is a corner of it.
-    surveyed_shell: bool,
     shell: Growth,
     meridian: Growth,
     apex: Growth,
+    extremes: PaperExtremes,
     bounds: RiseBounds,
     bend: Bend,
     energy: f64,
     loaded: bool,
     window: f64,
-    elastic: Peak,
-    strain: Peak,
-    least_quad: f64,
     quads: Vec<Quad>,
     fold: FoldWatch,
     residual: f64,
@@ -140,23 +122,19 @@ impl Recorder {
             let points = middles.into_iter().zip(hats);
             points.map(|(n, hat)| LinePoint::displaced(eye, n, hat.clone())).collect()
         };
-        let ring = marks.shell_hats.iter().cloned().map(LinePoint::mean).collect();
+        let mean = |nodes| LinePoint { base: Vector2::zeros(), nodes };
         Self {
             monitors: std::array::from_fn(monitor),
-            forces: [Peak::floor(0.0); 4],
             last_forces: [0.0; 4],
+            shell: growth(LengthKind::Ring, marks.shell_hats.iter().cloned().map(mean).collect()),
+            meridian: growth(LengthKind::Span, displaced(marks.meridian, &marks.meridian_hats)),
+            apex: growth(LengthKind::MeanX, displaced(marks.apex, &marks.apex_hats)),
+            extremes: PaperExtremes { least_quad_ratio: 1.0, ..PaperExtremes::default() },
             bounds: RiseBounds::new(eye),
             bend: Bend::UNKNOWN,
             energy: 0.0,
             loaded: true,
             window,
-            surveyed_shell: marks.shell_hats.len() == marks.shell.len(),
-            shell: growth(LengthKind::Ring, ring),
-            meridian: growth(LengthKind::Span, displaced(marks.meridian, &marks.meridian_hats)),
-            apex: growth(LengthKind::MeanX, displaced(marks.apex, &marks.apex_hats)),
-            elastic: Peak::floor(0.0),
-            strain: Peak::floor(0.0),
-            least_quad: 1.0,
             quads: eye.quads.iter().map(|corners| Quad::new(eye, *corners)).collect(),
             fold: FoldWatch::new(eye.quads.len()),
             residual: 0.0,
@@ -170,22 +148,80 @@ impl Recorder {
         }
     }
 
-    fn record(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
+    /// Takes in what there is to see.
+    pub fn see(&mut self, system: &System, now: &Moment) {
+        if now.starts {
+            self.record(system, now);
+            if let Some(frames) = &mut self.frames {
+                frames.begin(system, now.state);
+            }
+        } else {
+            self.step(system, now);
+        }
+        self.before.copy_motion(system, now.state);
+    }
+
+    /// The frames that were taken since they were last asked for.
+    pub fn taken(&mut self) -> impl Iterator<Item = Frame> {
+        self.frames.iter_mut().flat_map(|taker| taker.frames.drain(..))
+    }
+
+    /// Whether the kernel's length of the shell is the one to follow: every node is a corner of it.
+    fn surveyed_shell(&self) -> bool {
+        matches!(self.bounds.shell, ShellBound::Stretch(_))
+    }
+
+    fn step(&mut self, system: &System, now: &Moment) {
+        let surveyed = self.surveyed_shell();
+        let step = Interval { system, before: &self.before, after: now.state };
+        self.steps += 1;
+        self.shell.step(step, surveyed.then_some(now.survey.shell_length));
+        self.meridian.step(step, None);
+        self.apex.step(step, None);
+        let earlier = self.last_forces;
+        self.record(system, now);
+        let step = Interval { system, before: &self.before, after: now.state };
+        let periods = system.omega_bound * step.length() / TAU;
+        let points = ((POINTS_PER_PERIOD * periods).ceil() as usize).max(FEWEST_POINTS);
+        let ends = earlier.into_iter().zip(self.last_forces);
+        let monitors = self.monitors.iter().zip(&mut self.extremes.force);
+        for ((monitor, peak), (earlier, last)) in monitors.zip(ends) {
+            let ends = f64::max(earlier, last);
+            if ends < FAR * peak.value {
+                continue;
+            }
+            let guess = monitor.guess(step).max(ends);
+            if guess > NEAR * peak.value && guess > 0.0 {
+                let found = monitor.largest(step, now.piece, points, CLOSE * peak.value);
+                peak.offer(found.value, found.time);
+            }
+        }
+        if !self.loaded && !surveyed {
+            self.bend = self.shell.bend(system, now.state);
+        }
+        if let Some(frames) = &mut self.frames {
+            frames.step(step, now.piece);
+        }
+    }
+
+    fn record(&mut self, system: &System, now: &Moment) {
+        let Moment { state, survey, piece, .. } = *now;
         let forces: [f64; 4] = std::array::from_fn(|m| self.monitors[m].at(system, state));
         self.last_forces = forces;
-        for (peak, force) in self.forces.iter_mut().zip(forces) {
+        let extremes = &mut self.extremes;
+        for (peak, force) in extremes.force.iter_mut().zip(forces) {
             peak.offer(force, state.time);
         }
-        self.elastic.offer(survey.elastic, state.time);
-        self.strain.offer(survey.strain, state.time);
-        self.least_quad = self.least_quad.min(survey.quad_ratio);
+        extremes.elastic.offer(survey.elastic, state.time);
+        extremes.strain.offer(survey.strain, state.time);
+        extremes.least_quad_ratio = extremes.least_quad_ratio.min(survey.quad_ratio);
         let quads = &self.quads;
-        self.fold.record(
-            state.time,
-            survey.quad_ratio,
-            |quad| quads[quad].ratio(|node| state.position(system.place(node))),
-            |quad| (quads[quad].middle, quads[quad].part),
-        );
+        let ratio = |quad: usize| {
+            let corners = quads[quad].corners.map(|node| state.position(system.place(node)));
+            crossed(corners) / quads[quad].area
+        };
+        let place = |quad: usize| (quads[quad].middle, quads[quad].part);
+        self.fold.record(state.time, survey.quad_ratio, ratio, place);
         let stored = survey.kinetic + survey.elastic;
         self.energy = stored;
         self.loaded = piece != Piece::Nothing;
@@ -196,13 +232,13 @@ impl Recorder {
             && let Some(rows) = &mut self.rows
         {
             rows.time.push(state.time);
-            rows.load.push(system.load().pulse.force(piece, state.time));
+            rows.load.push(system.pulse.force(piece, state.time));
             for (trace, force) in rows.force.iter_mut().zip(forces) {
                 trace.push(force);
             }
-            rows.apex.push(self.apex.last());
-            rows.shell_growth.push(self.shell.last() / self.shell.rest());
-            rows.meridian_growth.push(self.meridian.last() / self.meridian.rest());
+            rows.apex.push(self.apex.last);
+            rows.shell_growth.push(self.shell.last_share());
+            rows.meridian_growth.push(self.meridian.last_share());
             rows.kinetic.push(survey.kinetic);
             rows.elastic.push(survey.elastic);
             rows.dissipated.push(state.dissipated);
@@ -216,13 +252,11 @@ impl Recorder {
         let most = match self.bounds.shell {
             ShellBound::Stretch(bound) => bound.reach(self.energy),
             ShellBound::Change(all, one) => {
-                self.shell.last() + self.bend.growth(all, one, self.energy, left)
+                self.shell.last + self.bend.growth(all, one, self.energy, left)
             }
         };
-        self.forces
-            .iter()
-            .zip(self.bounds.force)
-            .all(|(peak, bound)| bound.reach(self.energy) <= peak.value)
+        let mut forces = self.extremes.force.iter().zip(self.bounds.force);
+        forces.all(|(peak, bound)| bound.reach(self.energy) <= peak.value)
             && most <= self.shell.peak.value
     }
 
@@ -234,43 +268,48 @@ impl Recorder {
         }
         let left = self.window - self.before.time;
         let strain = self.bounds.strain.reach(self.energy);
-        strain <= self.strain.value.min(UNFOLDED_STRAIN)
+        let stays = |growth: &Growth, bound: Bound| {
+            growth.last + bound.travel(self.energy, left) <= growth.peak.value
+        };
+        strain <= self.extremes.strain.value.min(UNFOLDED_STRAIN)
             && self.forces_are_final(left)
             // No more can be stored than is left.
-            && self.energy <= self.elastic.value
-            && self.apex.last() + self.bounds.apex.travel(self.energy, left) <= self.apex.peak.value
-            && self.meridian.last() + self.bounds.meridian.travel(self.energy, left)
-                <= self.meridian.peak.value
+            && self.energy <= self.extremes.elastic.value
+            && stays(&self.apex, self.bounds.apex)
+            && stays(&self.meridian, self.bounds.meridian)
     }
 
     /// The recording, once the run has ended at `state` and cost so much.
     pub fn finish(self, state: &State, cost: Cost) -> Recording {
-        let relative = |growth: &Growth| Peak {
-            value: growth.peak.value / growth.rest(),
-            time: growth.peak.time,
-        };
-        let late = [&self.shell, &self.meridian, &self.apex].iter().any(|g| g.still_rising());
+        let late = self.shell.rising || self.meridian.rising || self.apex.rising;
         let scale = state.work.abs().max(self.most_energy);
         let open = self.loaded || !self.forces_are_final(0.0);
-        let mut extremes = PaperExtremes {
-            force: self.forces,
-            apex: self.apex.peak,
-            shell_growth: relative(&self.shell),
-            meridian_growth: relative(&self.meridian),
-            work: state.work,
-            elastic: self.elastic,
-            strain: self.strain,
-            least_quad_ratio: self.least_quad,
+        let lost_in_rounding = state.work != 0.0 && self.most_energy <= LOST * self.rounding;
+        let told = PaperExtremes {
+            least_quad_ratio: self.extremes.least_quad_ratio,
             fold: self.fold.fold(),
-            energy_residual: if scale > ROUNDING_J { self.residual / scale } else { 0.0 },
-            lost_in_rounding: state.work != 0.0 && self.most_energy <= LOST * self.rounding,
+            lost_in_rounding,
             could_rise: open && scale > ROUNDING_J,
             still_rising: late && scale > ROUNDING_J,
+            ..PaperExtremes::default()
         };
         let untouched = state.work == 0.0 && self.most_energy <= ROUNDING_J;
-        if untouched || extremes.lost_in_rounding {
-            extremes.forget_rounding();
-        }
+        let extremes = if untouched || lost_in_rounding {
+            // Nothing acted on the eye: what it seems to have done is rounding.
+            told
+        } else {
+            PaperExtremes {
+                force: self.extremes.force,
+                apex: self.apex.peak,
+                shell_growth: self.shell.largest_share(),
+                meridian_growth: self.meridian.largest_share(),
+                work: state.work,
+                elastic: self.extremes.elastic,
+                strain: self.extremes.strain,
+                energy_residual: if scale > ROUNDING_J { self.residual / scale } else { 0.0 },
+                ..told
+            }
+        };
         Recording {
             extremes,
             traces: self.rows,
@@ -278,51 +317,5 @@ impl Recorder {
             cost,
             simulated: state.time,
         }
-    }
-}
-
-impl Observer for Recorder {
-    fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
-        self.record(system, state, piece, survey);
-        self.before.copy_motion(system, state);
-        if let Some(frames) = &mut self.frames {
-            frames.begin(system, state);
-        }
-    }
-
-    fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey) {
-        self.steps += 1;
-        let length = self.surveyed_shell.then_some(survey.shell_length);
-        self.shell.step(system, &self.before, state, length);
-        self.meridian.step(system, &self.before, state, None);
-        self.apex.step(system, &self.before, state, None);
-        let before = self.last_forces;
-        self.record(system, state, piece, survey);
-        let periods = system.omega_bound() * (state.time - self.before.time) / TAU;
-        let points = ((POINTS_PER_PERIOD * periods).ceil() as usize).max(FEWEST_POINTS);
-        for ((monitor, peak), (earlier, now)) in self
-            .monitors
-            .iter_mut()
-            .zip(&mut self.forces)
-            .zip(before.into_iter().zip(self.last_forces))
-        {
-            let ends = f64::max(earlier, now);
-            if ends < FAR * peak.value {
-                continue;
-            }
-            let guess = monitor.guess(system, &self.before, state).max(ends);
-            if guess > NEAR * peak.value && guess > 0.0 {
-                let step = (&self.before, state);
-                let found = monitor.largest(system, step, piece, (points, CLOSE * peak.value));
-                peak.offer(found.value, found.time);
-            }
-        }
-        if !self.loaded && !self.surveyed_shell {
-            self.bend = self.shell.bend(system, state);
-        }
-        if let Some(frames) = &mut self.frames {
-            frames.step(system, (&self.before, state), piece);
-        }
-        self.before.copy_motion(system, state);
     }
 }

@@ -22,27 +22,21 @@
 //! Once all of it stays below what has been recorded, the rest of the window need not be computed.
 //! The proof is of the equations of motion; it says nothing of a solution that is chaotic.
 
-use crate::models::paper::eye::{Eye, hats::Hat, springs::SpringKind};
+use crate::models::paper::eye::{Eye, hats::Hat, landmarks::along, springs::SpringKind};
 use crate::models::paper::recording::dense::tugs;
 use std::collections::BTreeMap;
 
-/// A bound that grows with the root of the energy: this times `sqrt(2 E)`.
+/// A bound that grows with the root of the energy.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Reach(f64);
+pub(crate) struct Bound(f64);
 
-impl Reach {
-    /// The largest value that `energy` J can still cause.
+impl Bound {
+    /// The largest value that `energy` J can still cause: this times `sqrt(2 E)`.
     pub fn reach(self, energy: f64) -> f64 {
         self.0 * (2.0 * energy).sqrt()
     }
-}
 
-/// A bound of the way that remains: this times `sqrt(E T)`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Travel(f64);
-
-impl Travel {
-    /// The farthest that `energy` J can move it in `time` s, in m.
+    /// The farthest that `energy` J can move it in `time` s, in m: this times `sqrt(E T)`.
     pub fn travel(self, energy: f64, time: f64) -> f64 {
         self.0 * (energy * time.max(0.0)).sqrt()
     }
@@ -52,10 +46,10 @@ impl Travel {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum ShellBound {
     /// Bound of its growth over its length at rest, where every node is a corner.
-    Stretch(Reach),
+    Stretch(Bound),
     /// Bounds of its growth from now on, where its corners are hats: of the sum of the ways of
     /// all corners, and of the way of any one.
-    Change(Travel, Travel),
+    Change(Bound, Bound),
 }
 
 /// How sharply a closed line bends.
@@ -72,7 +66,7 @@ impl Bend {
     pub const UNKNOWN: Self = Self { sharpest: 2.0, shortest: 0.0 };
 
     /// How much a line that bends like this can still grow, in m, by the two bounds of its corners.
-    pub fn growth(self, all: Travel, one: Travel, energy: f64, left: f64) -> f64 {
+    pub fn growth(self, all: Bound, one: Bound, energy: f64, left: f64) -> f64 {
         let later = self.sharpest + 8.0 * one.travel(energy, left) / self.shortest;
         // Two directions never differ by more than 2. A side of no length says nothing.
         (if later < 2.0 { later } else { 2.0 }) * all.travel(energy, left)
@@ -83,15 +77,15 @@ impl Bend {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RiseBounds {
     /// Force at each monitored node, N.
-    pub force: [Reach; 4],
+    pub force: [Bound; 4],
     /// Growth of the shell, m.
     pub shell: ShellBound,
     /// Strain of any spring.
-    pub strain: Reach,
+    pub strain: Bound,
     /// Mean displacement of the two nodes at the apex, m.
-    pub apex: Travel,
+    pub apex: Bound,
     /// Growth of the vertical diameter, m.
-    pub meridian: Travel,
+    pub meridian: Bound,
 }
 
 impl RiseBounds {
@@ -106,54 +100,44 @@ impl RiseBounds {
         Self {
             force: std::array::from_fn(|m| force(eye, &marks.monitor_hats[m])),
             shell: shell(eye),
-            strain: Reach((1.0 / weakest).sqrt()),
+            strain: Bound((1.0 / weakest).sqrt()),
             apex: travel(eye, marks.apex_hats.iter().flatten(), 0.5),
             meridian: travel(eye, marks.meridian_hats.iter().flatten(), 1.0),
         }
     }
 }
 
-fn force(eye: &Eye, hat: &Hat) -> Reach {
+fn force(eye: &Eye, hat: &Hat) -> Bound {
     let stiffness: f64 = tugs(eye, hat).iter().map(|tug| tug.squared).sum();
     let drag = |&(n, weight): &(usize, f64)| {
         let node = &eye.nodes[n];
         weight * weight * (node.drag * node.drag / node.mass)
     };
-    Reach((stiffness + hat.iter().map(drag).sum::<f64>()).sqrt())
+    Bound((stiffness + hat.iter().map(drag).sum::<f64>()).sqrt())
 }
 
 /// Of the sum of the mean displacements over some hats, each times `weight`.
-fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f64) -> Travel {
+fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f64) -> Bound {
     let mut weights: BTreeMap<usize, f64> = BTreeMap::new();
     for &(node, share) in hats {
         *weights.entry(node).or_default() += weight * share;
     }
     let sum: f64 = weights.iter().map(|(&n, w)| w * w / eye.nodes[n].drag).sum();
-    Travel(sum.sqrt())
+    Bound(sum.sqrt())
 }
 
 fn shell(eye: &Eye) -> ShellBound {
-    let count = eye.landmarks.shell.len();
     let hats = &eye.landmarks.shell_hats;
-    if hats.len() < count {
+    if hats.len() < eye.landmarks.shell.len() {
         let one = hats.iter().map(|hat| travel(eye, hat.iter(), 1.0).0);
         return ShellBound::Change(
             travel(eye, hats.iter().flatten(), 1.0),
-            Travel(one.fold(0.0, f64::max)),
+            Bound(one.fold(0.0, f64::max)),
         );
     }
-    let mut order = vec![usize::MAX; eye.nodes.len()];
-    for (i, &n) in eye.landmarks.shell.iter().enumerate() {
-        order[n] = i;
-    }
-    let compliance: f64 = eye
-        .springs
-        .iter()
-        .filter(|s| {
-            let (a, b) = (order[s.a], order[s.b]);
-            s.kind == SpringKind::Sclera && matches!(a.abs_diff(b), d if d == 1 || d + 1 == count)
-        })
-        .map(|s| 1.0 / s.stiffness)
-        .sum();
-    ShellBound::Stretch(Reach(compliance.sqrt()))
+    let along = along(&eye.landmarks.shell);
+    let sclera = eye.springs.iter().filter(|s| s.kind == SpringKind::Sclera);
+    let sides = sclera.filter(|s| along(s.a, s.b).is_some_and(|(hop, _)| hop == 1));
+    let compliance: f64 = sides.map(|s| 1.0 / s.stiffness).sum();
+    ShellBound::Stretch(Bound(compliance.sqrt()))
 }

@@ -4,24 +4,27 @@
 //! because it may jump there; reusing the stale one costs an order of accuracy.
 
 use crate::models::paper::forces::{kernel::Survey, state::State, system::System};
+use crate::models::paper::time::stepper::EqualSteps;
 use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::plan::{Cost, Plan};
 use crate::run::refusal::Refusal;
+use std::ops::ControlFlow;
 
 /// Steps that a segment is given at least, under load and after it, so that a short pulse and its
 /// wake are resolved.
 const LEAST_STEPS: (f64, f64) = (4.0, 2.0);
 
-/// Someone who watches every step.
-pub trait Observer {
-    /// A segment starts: the state's acceleration has just been evaluated by its law.
-    fn begin(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey);
-    /// A step ended.
-    fn step(&mut self, system: &System, state: &State, piece: Piece, survey: &Survey);
-    /// Whether the rest of the window may be left out.
-    fn satisfied(&self) -> bool {
-        false
-    }
+/// What is seen of a run at the start of a segment and at the end of each step.
+#[derive(Debug, Clone, Copy)]
+pub struct Moment<'a> {
+    /// The eye, with its acceleration by the law of `piece`.
+    pub state: &'a State,
+    /// What is known of the whole of it.
+    pub survey: &'a Survey,
+    /// The law of the load.
+    pub piece: Piece,
+    /// Whether a segment starts here; no step ended.
+    pub starts: bool,
 }
 
 impl Plan {
@@ -30,11 +33,8 @@ impl Plan {
         let length = segment.end - segment.start;
         // A length that is a whole number of steps must not gain one by rounding.
         let needed = (length / self.step - 1e-9).ceil();
-        if segment.piece == Piece::Nothing {
-            (needed, LEAST_STEPS.1)
-        } else {
-            (needed, LEAST_STEPS.0)
-        }
+        let least = if segment.piece == Piece::Nothing { LEAST_STEPS.1 } else { LEAST_STEPS.0 };
+        (needed, least)
     }
 
     /// Number of steps that a segment takes.
@@ -54,16 +54,6 @@ impl Plan {
         pulse.segments(self.window).iter().map(|s| self.steps_in(s)).sum()
     }
 
-    /// Number of steps while the load acts.
-    pub fn steps_under_load(&self, pulse: &Pulse) -> usize {
-        pulse
-            .segments(self.window)
-            .iter()
-            .filter(|s| s.piece != Piece::Nothing)
-            .map(|s| self.steps_in(s))
-            .sum()
-    }
-
     /// The longest step it really takes, in s.
     pub fn longest_step(&self, pulse: &Pulse) -> f64 {
         pulse
@@ -74,7 +64,7 @@ impl Plan {
     }
 }
 
-/// Moves `state` from 0 to the end of the window under `observer`'s eyes.
+/// Moves `state` from 0 to the end of the window, or until `see` has seen enough.
 ///
 /// # Errors
 /// [`Refusal::NotFinite`] as soon as the energy is not finite.
@@ -82,24 +72,29 @@ pub fn march(
     system: &System,
     plan: &Plan,
     state: &mut State,
-    observer: &mut impl Observer,
+    mut see: impl FnMut(Moment) -> ControlFlow<()>,
 ) -> Result<Cost, Refusal> {
     let mut stepper = plan.integrator.method().stepper(system, plan);
     let mut cost = Cost::default();
-    for segment in system.load().pulse.segments(plan.window) {
-        let survey = stepper.begin(state, &segment, plan.steps_in(&segment), &mut cost);
-        observer.begin(system, state, segment.piece, &survey);
-        while state.time < segment.end {
-            let survey = stepper.step(state, &segment, &mut cost);
+    for segment in system.pulse.segments(plan.window) {
+        let piece = segment.piece;
+        state.time = segment.start;
+        let survey = state.evaluate(system, piece);
+        cost.evaluations += 1;
+        let mut steps = EqualSteps::new(segment, plan.steps_in(&segment));
+        stepper.begin(state, &steps);
+        let mut seen = see(Moment { state, survey: &survey, piece, starts: true });
+        while seen.is_continue() && state.time < segment.end {
+            let survey = stepper.step(state, &mut steps, &mut cost);
             cost.steps += 1;
             let energies = survey.kinetic + survey.elastic + state.work + state.dissipated;
             if !energies.is_finite() {
                 return Err(Refusal::NotFinite { time: state.time, step: cost.steps });
             }
-            observer.step(system, state, segment.piece, &survey);
-            if observer.satisfied() {
-                return Ok(cost);
-            }
+            seen = see(Moment { state, survey: &survey, piece, starts: false });
+        }
+        if seen.is_break() {
+            break;
         }
     }
     Ok(cost)

@@ -4,6 +4,4 @@ pub mod composition;
 pub mod march;
 pub mod method;
 pub mod runge_kutta;
-pub mod second;
-pub mod stability;
 pub mod stepper;

@@ -9,30 +9,32 @@
 //! the same force kernel, update their nodes by the same vectors, and allocate nothing after the
 //! start.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
-use crate::models::paper::forces::kernel::{Survey, by_tissue};
-use crate::models::paper::forces::lanes::{V, fused, load, splat, store, total};
-use crate::models::paper::forces::system::System;
-use crate::models::paper::forces::{aligned::Aligned, kernel, layout::LANES, state::State};
+use crate::models::paper::forces::kernel::{self, Survey, by_tissue};
+use crate::models::paper::forces::lanes::{
+    V, fused, fused_pair, load, load_pair, on_vectors, splat, squared, store_pair, total,
+};
+use crate::models::paper::forces::{aligned::Pairs, layout::LANES, state::State, system::System};
 use crate::models::paper::time::stepper::{EqualSteps, Stepper};
-use crate::models::pulse::{Piece, Segment};
+use crate::models::pulse::Piece;
 use crate::run::plan::{Cost, Plan};
 use fearless_simd::{Simd, SimdBase, dispatch};
-use std::ops::Range;
 
-/// Coefficients of an explicit method; its last stage is the solution at the end of the step.
+/// Coefficients of an explicit method, row by row; the last is the solution at the end of the
+/// step, whose evaluation the next step shares.
 #[derive(Debug)]
 pub(crate) struct Tableau {
     pub nodes: &'static [f64],
     pub stages: &'static [&'static [f64]],
-    pub weights: &'static [f64],
     /// Weights of the solution minus those of the embedded one, the last for the end of the step;
     /// empty where there is none.
     pub error: &'static [f64],
+}
+
+impl Tableau {
+    /// Force evaluations a step.
+    pub fn evaluations(&self) -> usize {
+        self.nodes.len() - 1
+    }
 }
 
 /// Power of the step that the error estimate falls with, for embedded solutions of order four.
@@ -46,71 +48,22 @@ const SMALLEST_SHARE: f64 = 1e-9;
 /// Errors are shares of no less than this: of an eye at rest only rounding is left, which no step
 /// makes small.
 const LEAST_ENERGY_J: f64 = 1e-14;
-/// Rates that a sum may be of: stages, and the end of the step.
-const MAX_RATES: usize = 8;
 
-/// Positions and speeds of all nodes with the energies that came and went, or the rates of change
-/// of all these.
-struct Phase {
-    x: Aligned,
-    y: Aligned,
-    vx: Aligned,
-    vy: Aligned,
-    work: f64,
-    dissipated: f64,
-}
-
-impl Phase {
-    fn zeros(len: usize) -> Self {
-        let zeros = || Aligned::zeros(len);
-        Self { x: zeros(), y: zeros(), vx: zeros(), vy: zeros(), work: 0.0, dissipated: 0.0 }
-    }
-}
-
-/// A part of a [`Phase`].
-type Part = fn(&Phase) -> &[f64];
-const PARTS: [Part; 4] = [|p| &p.x, |p| &p.y, |p| &p.vx, |p| &p.vy];
-
-/// One part of several rates, each with its weight.
-struct Terms<'a> {
-    each: [(f64, &'a [f64]); MAX_RATES],
-    count: usize,
-}
-
-impl<'a> Terms<'a> {
-    fn new(weights: &[f64], rates: &'a [Phase], part: Part, h: f64) -> Self {
-        let mut terms = Self { each: [(0.0, &[]); MAX_RATES], count: 0 };
-        for (weight, rates) in weights.iter().zip(rates) {
-            if *weight != 0.0 {
-                terms.each[terms.count] = (weight * h, part(rates));
-                terms.count += 1;
-            }
-        }
-        terms
-    }
-
-    /// `from` plus the weighted sum at some nodes.
-    #[inline(always)]
-    fn onto<S: Simd, const QUICK: bool>(&self, simd: S, from: V<S>, slot: usize) -> V<S> {
-        let mut sum = from;
-        for &(weight, rate) in &self.each[..self.count] {
-            sum = fused::<S, QUICK>(splat(simd, weight), load(simd, rate, slot), sum);
-        }
-        sum
-    }
-}
-
+/// Adds `weight` times `of` to `to`.
 #[inline(always)]
 fn add_as<S: Simd, const QUICK: bool>(
     simd: S,
-    slots: Range<usize>,
-    to: &mut [f64],
-    from: &[f64],
-    terms: &Terms,
+    system: &System,
+    to: &mut Pairs,
+    weight: f64,
+    of: &Pairs,
 ) {
-    for slot in slots.step_by(V::<S>::LEN) {
-        let sum = terms.onto::<S, QUICK>(simd, load(simd, from, slot), slot);
-        store::<S>(to, slot, sum);
+    let (weight, of) = (splat(simd, weight), of.slices());
+    let (x, y) = to.slices_mut();
+    for slot in system.moving().step_by(V::<S>::LEN) {
+        let sum = load_pair(simd, (x, y), slot);
+        let sum = fused_pair::<S, QUICK>(load_pair(simd, of, slot), weight, sum);
+        store_pair::<S>((x, y), slot, sum);
     }
 }
 
@@ -120,59 +73,53 @@ fn rates_as<S: Simd, const QUICK: bool>(
     simd: S,
     system: &System,
     state: &State,
-    rates: &mut Phase,
+    rates: &mut State,
 ) -> f64 {
+    let (velocity, acceleration) = (state.velocity.slices(), state.acceleration.slices());
+    let (x, y) = rates.position.slices_mut();
+    let (vx, vy) = rates.velocity.slices_mut();
     let mut power = splat(simd, 0.0);
-    for slot in moving(system).step_by(V::<S>::LEN) {
+    for slot in system.moving().step_by(V::<S>::LEN) {
         let (group, lane) = (&system.groups[slot / LANES], slot % LANES);
-        let fat = load(simd, &group.fat, lane);
-        let decay = by_tissue::<S, QUICK>(simd, fat, system.decay);
-        let (vx, vy) = (load(simd, &state.vx, slot), load(simd, &state.vy, slot));
-        let (ax, ay) = (load(simd, &state.ax, slot), load(simd, &state.ay, slot));
-        store::<S>(&mut rates.x, slot, vx);
-        store::<S>(&mut rates.y, slot, vy);
-        store::<S>(&mut rates.vx, slot, fused::<S, QUICK>(-decay, vx, ax));
-        store::<S>(&mut rates.vy, slot, fused::<S, QUICK>(-decay, vy, ay));
-        let speed_squared = fused::<S, QUICK>(vx, vx, vy * vy);
+        let decay = by_tissue::<S, QUICK>(simd, load(simd, &group.fat, lane), system.decay);
+        let velocity = load_pair(simd, velocity, slot);
+        let undamped = load_pair(simd, acceleration, slot);
+        store_pair::<S>((x, y), slot, velocity);
+        store_pair::<S>((vx, vy), slot, fused_pair::<S, QUICK>(velocity, -decay, undamped));
         let lost = decay * load(simd, &group.half_mass, lane);
-        power = fused::<S, QUICK>(lost, speed_squared, power);
+        power = fused::<S, QUICK>(lost, squared::<S, QUICK>(velocity), power);
     }
     2.0 * total::<S>(power)
 }
 
-/// Energy of the differences that `parts` sum up to.
+/// Energy of `difference`.
 #[inline(always)]
-fn energy_as<S: Simd, const QUICK: bool>(simd: S, system: &System, parts: &[Terms; 4]) -> f64 {
-    let omega_squared = splat(simd, system.omega_bound() * system.omega_bound());
+fn energy_as<S: Simd, const QUICK: bool>(simd: S, system: &System, difference: &State) -> f64 {
+    let omega_squared = splat(simd, system.omega_bound * system.omega_bound);
+    let (position, velocity) = (difference.position.slices(), difference.velocity.slices());
     let mut energy = splat(simd, 0.0);
-    for slot in moving(system).step_by(V::<S>::LEN) {
+    for slot in system.moving().step_by(V::<S>::LEN) {
         let half_mass = load(simd, &system.groups[slot / LANES].half_mass, slot % LANES);
-        let none = splat(simd, 0.0);
-        let [ex, ey, evx, evy] =
-            std::array::from_fn(|i| parts[i].onto::<S, QUICK>(simd, none, slot));
-        let positions = fused::<S, QUICK>(ex, ex, ey * ey);
-        let speeds = fused::<S, QUICK>(evx, evx, evy * evy);
+        let positions = squared::<S, QUICK>(load_pair(simd, position, slot));
+        let speeds = squared::<S, QUICK>(load_pair(simd, velocity, slot));
         let both = fused::<S, QUICK>(omega_squared, positions, speeds);
         energy = fused::<S, QUICK>(half_mass, both, energy);
     }
     total::<S>(energy)
 }
 
-/// The slots of the rows that hold all moving nodes.
-fn moving(system: &System) -> Range<usize> {
-    system.first_row * system.stride..(system.side - 1) * system.stride
-}
-
-/// Runs one of the forms above on the machine's vectors.
-macro_rules! on_vectors {
-    ($system:expr, $form:ident($($argument:expr),*)) => {{
-        let level = $system.level;
-        if $system.portable {
-            dispatch!(level, simd => $form::<_, false>(simd, $($argument),*))
-        } else {
-            dispatch!(level, simd => $form::<_, true>(simd, $($argument),*))
-        }
-    }};
+/// Adds `h` times the weighted rates to a motion.
+fn add(system: &System, to: &mut State, rates: &[State], weights: &[f64], h: f64) {
+    for (weight, rates) in weights.iter().zip(rates).filter(|(weight, _)| **weight != 0.0) {
+        let step = weight * h;
+        on_vectors!(system, add_as(system, &mut to.position, step, &rates.position));
+        on_vectors!(system, add_as(system, &mut to.velocity, step, &rates.velocity));
+    }
+    let sum = |of: fn(&State) -> f64| -> f64 {
+        weights.iter().zip(rates).map(|(weight, rates)| weight * of(rates)).sum()
+    };
+    to.work += h * sum(|rates| rates.work);
+    to.dissipated += h * sum(|rates| rates.dissipated);
 }
 
 /// A Runge-Kutta method in the middle of a run.
@@ -181,86 +128,70 @@ pub(crate) struct RungeKutta<'a> {
     tableau: &'static Tableau,
     /// Local error allowed; none for equal steps.
     tolerance: Option<f64>,
-    clock: EqualSteps,
     /// Next step, in s.
     next: f64,
     largest_energy: f64,
-    start: Phase,
-    /// Rates at each stage and at the end of the step. Between steps the first is that of the
-    /// state.
-    rates: Vec<Phase>,
+    start: State,
+    /// Rates at each stage and at the end of the step, each in the place of what it changes.
+    /// Between steps the first is that of the state.
+    rates: Vec<State>,
+    /// Of the two solutions of a pair.
+    difference: State,
 }
 
 impl<'a> RungeKutta<'a> {
     pub fn new(system: &'a System, tableau: &'static Tableau, plan: &Plan) -> Self {
-        let phase = || Phase::zeros(system.rest_x.len());
+        let rest = State::at_rest(system);
         Self {
             system,
             tableau,
             tolerance: (!tableau.error.is_empty()).then_some(plan.local_tolerance),
-            clock: EqualSteps::default(),
             next: 0.0,
             largest_energy: 0.0,
-            start: phase(),
-            rates: (0..=tableau.nodes.len()).map(|_| phase()).collect(),
+            start: rest.clone(),
+            rates: vec![rest.clone(); tableau.nodes.len()],
+            difference: rest,
         }
     }
 
-    /// Rates at the state, whose acceleration is up to date.
+    /// Takes the rates of the state, whose acceleration is up to date.
     fn take_rates(&mut self, stage: usize, state: &State, force: f64) {
-        let system = self.system;
-        let rates = &mut self.rates[stage];
+        let (system, rates) = (self.system, &mut self.rates[stage]);
         rates.dissipated = on_vectors!(system, rates_as(system, state, rates));
         rates.work = force * state.load_speed(system);
     }
 
-    /// Sets `state` to the start of the step plus `h` times the weighted rates.
-    fn combine(&self, state: &mut State, weights: &[f64], h: f64) {
-        let (system, start) = (self.system, &self.start);
-        for (part, to) in
-            PARTS.iter().zip([&mut state.x, &mut state.y, &mut state.vx, &mut state.vy])
-        {
-            let terms = Terms::new(weights, &self.rates, *part, h);
-            on_vectors!(system, add_as(moving(system), &mut *to, part(start), &terms));
-        }
-        let weighted = || weights.iter().zip(&self.rates);
-        state.work = start.work + h * weighted().map(|(w, r)| w * r.work).sum::<f64>();
-        state.dissipated =
-            start.dissipated + h * weighted().map(|(w, r)| w * r.dissipated).sum::<f64>();
-    }
-
-    fn remember(&mut self, state: &State) {
-        self.start.x.copy_from_slice(&state.x);
-        self.start.y.copy_from_slice(&state.y);
-        self.start.vx.copy_from_slice(&state.vx);
-        self.start.vy.copy_from_slice(&state.vy);
-        (self.start.work, self.start.dissipated) = (state.work, state.dissipated);
+    /// Moves `state` from the start of a step of `h` to a stage of it and takes the rates there.
+    fn go(&mut self, state: &mut State, piece: Piece, h: f64, stage: usize) -> Survey {
+        let (system, tableau) = (self.system, self.tableau);
+        state.copy_motion(system, &self.start);
+        add(system, state, &self.rates, tableau.stages[stage], h);
+        let force = system.pulse.force(piece, state.time + tableau.nodes[stage] * h);
+        let survey = kernel::evaluate(system, state, force, 0.0);
+        self.take_rates(stage, state, force);
+        survey
     }
 
     /// Tries one step of `h`; leaves the result in `state` but for its time, which is that of the
     /// start still.
     fn attempt(&mut self, state: &mut State, piece: Piece, h: f64, cost: &mut Cost) -> Survey {
-        let (system, tableau) = (self.system, self.tableau);
-        let pulse = &system.load().pulse;
-        for stage in 1..tableau.nodes.len() {
-            self.combine(state, tableau.stages[stage], h);
-            let force = pulse.force(piece, state.time + tableau.nodes[stage] * h);
-            kernel::evaluate(system, state, force, 0.0);
-            self.take_rates(stage, state, force);
+        let last = self.tableau.evaluations();
+        cost.evaluations += last;
+        for stage in 1..last {
+            self.go(state, piece, h, stage);
         }
-        self.combine(state, tableau.weights, h);
-        let force = pulse.force(piece, state.time + h);
-        let survey = kernel::evaluate(system, state, force, 0.0);
-        self.take_rates(tableau.nodes.len(), state, force);
-        cost.evaluations += tableau.nodes.len();
-        survey
+        self.go(state, piece, h, last)
     }
 
     /// Local error in the energy norm.
-    fn error(&self, h: f64) -> f64 {
-        let (system, weights) = (self.system, self.tableau.error);
-        let parts = PARTS.map(|part| Terms::new(weights, &self.rates, part, h));
-        let energy = on_vectors!(system, energy_as(system, &parts));
+    fn error(&mut self, h: f64) -> f64 {
+        let (system, difference) = (self.system, &mut self.difference);
+        for pairs in [&mut difference.position, &mut difference.velocity] {
+            pairs.x.fill(0.0);
+            pairs.y.fill(0.0);
+        }
+        add(system, difference, &self.rates, self.tableau.error, h);
+        let energy = on_vectors!(system, energy_as(system, difference));
         (energy / self.largest_energy).sqrt()
     }
 
@@ -268,13 +199,13 @@ impl<'a> RungeKutta<'a> {
     fn adaptive(
         &mut self,
         state: &mut State,
-        segment: &Segment,
+        steps: &EqualSteps,
         tolerance: f64,
         cost: &mut Cost,
     ) -> Survey {
-        let longest = self.clock.length();
+        let (longest, end) = (steps.length, steps.segment.end);
         loop {
-            let left = segment.end - state.time;
+            let left = end - self.start.time;
             // The last two steps of a segment share what is left, so that none is tiny.
             let h = if self.next >= left {
                 left
@@ -283,7 +214,7 @@ impl<'a> RungeKutta<'a> {
             } else {
                 self.next
             };
-            let survey = self.attempt(state, segment.piece, h, cost);
+            let survey = self.attempt(state, steps.segment.piece, h, cost);
             self.largest_energy =
                 self.largest_energy.max(survey.kinetic + survey.elastic).max(LEAST_ENERGY_J);
             let error = self.error(h);
@@ -291,7 +222,7 @@ impl<'a> RungeKutta<'a> {
             let accepted = error <= tolerance || h <= SMALLEST_SHARE * longest;
             self.next = (h * factor.clamp(GROWTH.0, GROWTH.1)).min(longest);
             if accepted || !error.is_finite() {
-                state.time = if h == left { segment.end } else { state.time + h };
+                state.time = if h == left { end } else { state.time + h };
                 return survey;
             }
         }
@@ -299,36 +230,23 @@ impl<'a> RungeKutta<'a> {
 }
 
 impl Stepper for RungeKutta<'_> {
-    fn begin(
-        &mut self,
-        state: &mut State,
-        segment: &Segment,
-        steps: usize,
-        cost: &mut Cost,
-    ) -> Survey {
-        self.clock = EqualSteps::new(segment, steps);
-        self.next = self.clock.length();
+    fn begin(&mut self, state: &State, steps: &EqualSteps) {
+        self.next = steps.length;
         self.largest_energy = 0.0;
-        state.time = segment.start;
-        cost.evaluations += 1;
-        let force = self.system.load().pulse.force(segment.piece, segment.start);
-        let survey = kernel::evaluate(self.system, state, force, 0.0);
-        self.take_rates(0, state, force);
-        survey
+        self.take_rates(0, state, self.system.pulse.force(steps.segment.piece, state.time));
     }
 
-    fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey {
-        self.remember(state);
+    fn step(&mut self, state: &mut State, steps: &mut EqualSteps, cost: &mut Cost) -> Survey {
+        self.start.copy_motion(self.system, state);
         let survey = if let Some(tolerance) = self.tolerance {
-            self.adaptive(state, segment, tolerance, cost)
+            self.adaptive(state, steps, tolerance, cost)
         } else {
-            let h = self.clock.length();
-            let survey = self.attempt(state, segment.piece, h, cost);
-            state.time = self.clock.advance();
+            let survey = self.attempt(state, steps.segment.piece, steps.length, cost);
+            state.time = steps.advance();
             survey
         };
         // The end of this step is the start of the next.
-        self.rates.swap(0, self.tableau.nodes.len());
+        self.rates.swap(0, self.tableau.evaluations());
         survey
     }
 }

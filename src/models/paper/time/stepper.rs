@@ -5,7 +5,7 @@ use crate::models::pulse::Segment;
 use crate::run::plan::Cost;
 
 /// How a method treats the drag, which decides what it costs in step length; see
-/// [`crate::models::paper::time::stability`].
+/// [`crate::models::paper::time::method`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drag {
     /// Solved exactly within each drift.
@@ -18,45 +18,28 @@ pub enum Drag {
 
 /// Makes the steps of one run, segment by segment, without allocating.
 pub(crate) trait Stepper {
-    /// Starts `segment`, which `steps` steps should cover, at its first instant: the acceleration
-    /// is evaluated afresh by the segment's law.
-    fn begin(
-        &mut self,
-        state: &mut State,
-        segment: &Segment,
-        steps: usize,
-        cost: &mut Cost,
-    ) -> Survey;
+    /// Gets ready for a segment, at whose start `state` is and has been evaluated.
+    fn begin(&mut self, state: &State, steps: &EqualSteps);
 
     /// Moves `state`, whose acceleration is up to date, by one step; the last of a segment ends
     /// exactly where the segment does.
-    fn step(&mut self, state: &mut State, segment: &Segment, cost: &mut Cost) -> Survey;
+    fn step(&mut self, state: &mut State, steps: &mut EqualSteps, cost: &mut Cost) -> Survey;
 }
 
 /// Equal steps through a segment.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug)]
 pub(crate) struct EqualSteps {
-    start: f64,
-    end: f64,
-    length: f64,
+    pub segment: Segment,
+    /// Length of a step, in s.
+    pub length: f64,
     total: usize,
     taken: usize,
 }
 
 impl EqualSteps {
-    pub fn new(segment: &Segment, total: usize) -> Self {
-        Self {
-            start: segment.start,
-            end: segment.end,
-            length: (segment.end - segment.start) / total as f64,
-            total,
-            taken: 0,
-        }
-    }
-
-    /// Length of a step, in s.
-    pub fn length(&self) -> f64 {
-        self.length
+    pub fn new(segment: Segment, total: usize) -> Self {
+        let length = (segment.end - segment.start) / total as f64;
+        Self { segment, length, total, taken: 0 }
     }
 
     /// The time after one more step, in s: computed, not summed, so that rounding does not pile up
@@ -64,9 +47,9 @@ impl EqualSteps {
     pub fn advance(&mut self) -> f64 {
         self.taken += 1;
         if self.taken == self.total {
-            self.end
+            self.segment.end
         } else {
-            self.start + self.length * self.taken as f64
+            self.segment.start + self.length * self.taken as f64
         }
     }
 }

@@ -13,6 +13,8 @@
 //! globe. Half a ball is that with z >= 0. Rows of cells follow u within the core and on the side
 //! patches, which are unrolled around the axis, and v at the front and at the back.
 
+pub use crate::models::axisymmetric::eye::Tissue as Place;
+use crate::models::axisymmetric::eye::mesh::graded;
 use crate::models::spatial::eye::orbit::Cavity;
 use nalgebra::Vector3;
 use std::collections::HashMap;
@@ -37,24 +39,14 @@ const AROUND_LAYERS: f64 = 0.9;
 /// How much of the eye is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// That on one side of a plane through the eye's axis, of which the other side is the mirror
-    /// image.
+    /// One side of a plane through the eye's axis; the other is its mirror image.
     Half,
     /// All of it.
     Full,
 }
 
-/// Whether a cell lies in the globe or in what holds it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// Within the shell.
-    Globe,
-    /// Between shell and wall.
-    Surround,
-}
-
 /// Nodes at rest and what lies between them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
     /// Place of each node, in m.
     pub at: Vec<Vector3<f64>>,
@@ -154,12 +146,11 @@ impl Builder {
             for v in -m..=m {
                 for u in -m..=m {
                     let q = u.abs().max(v.abs()).max(w.abs()) as f64;
-                    let at = if q == 0.0 {
-                        Vector3::zeros()
-                    } else {
+                    let mut at = Vector3::zeros();
+                    if q > 0.0 {
                         let cube = Vector3::new(u as f64, v as f64, w as f64) * (CUBE / q);
-                        (cube + direction((u, v, w)) * BALL) * (CORE * radius * q / m as f64)
-                    };
+                        at = (cube + direction((u, v, w)) * BALL) * (CORE * radius * q / m as f64);
+                    }
                     self.put(0, (u, v, w), at);
                 }
             }
@@ -207,20 +198,11 @@ impl Builder {
     }
 }
 
-/// Share of the way of a layer, thinner by a share at the outer end.
-fn graded(layer: usize, of: usize, thinner: f64) -> f64 {
-    let even = layer as f64 / of as f64;
-    even + thinner * even * (1.0 - even)
-}
-
 /// Builds the mesh of a core of 2 `half` cells a side in a globe of `radius` m.
-pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dyn Cavity>) -> Mesh {
-    let mut builder = Builder {
-        half: i64::try_from(half).expect("a mesh that fits in memory"),
-        extent,
-        mesh: Mesh { at: Vec::new(), cells: Vec::new(), shell: Vec::new(), wall: Vec::new() },
-        known: HashMap::new(),
-    };
+pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<Cavity>) -> Mesh {
+    let half_side = i64::try_from(half).expect("a mesh that fits in memory");
+    let mut builder =
+        Builder { half: half_side, extent, mesh: Mesh::default(), known: HashMap::new() };
     builder.core(radius);
     let layers = (GLOBE_LAYERS * half as f64).round() as usize;
     for layer in 0..layers {
@@ -230,10 +212,7 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dy
             inner + (direction(point) * radius - inner) * share
         });
     }
-    let in_layer = match extent {
-        Extent::Half => 12 * half * half,
-        Extent::Full => 24 * half * half,
-    };
+    let in_layer = if extent == Extent::Half { 12 } else { 24 } * half * half;
     let last = builder.mesh.cells.len() - in_layer;
     builder.mesh.shell = builder.mesh.cells[last..]
         .iter()
@@ -250,17 +229,16 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<&dy
             direction * (radius + (cavity.distance(direction) - radius) * share)
         });
     }
-    builder.mesh.hold(cavity);
+    builder.mesh.hold(&cavity);
     let outer = builder.surface().into_iter().map(|of| builder.node(layers + around, of));
-    let outer: Vec<usize> = outer.collect();
-    let mesh = &mut builder.mesh;
-    mesh.wall = outer.into_iter().filter(|node| cavity.behind(mesh.at[*node]) >= -1e-9).collect();
+    let held = |node: &usize| cavity.behind(builder.mesh.at[*node]) >= -1e-9;
+    builder.mesh.wall = outer.filter(held).collect();
     builder.mesh.without_loose_nodes()
 }
 
 impl Mesh {
     /// Leaves out what lies in front of the opening: of a cell the mean of its corners.
-    fn hold(&mut self, cavity: &dyn Cavity) {
+    fn hold(&mut self, cavity: &Cavity) {
         let at = &self.at;
         self.cells.retain(|(corners, place)| {
             let behind: f64 = corners.iter().map(|n| cavity.behind(at[*n])).sum();
@@ -276,24 +254,15 @@ impl Mesh {
                 used[node] = true;
             }
         }
-        let mut renamed = vec![usize::MAX; self.at.len()];
-        let mut count = 0;
-        for (node, used) in used.iter().enumerate() {
-            if *used {
-                renamed[node] = count;
-                self.at[count] = self.at[node];
-                count += 1;
-            }
-        }
-        self.at.truncate(count);
-        for (corners, _) in &mut self.cells {
-            *corners = corners.map(|node| renamed[node]);
-        }
-        for quad in &mut self.shell {
-            *quad = quad.map(|node| renamed[node]);
-        }
         self.wall.retain(|node| used[*node]);
-        for node in &mut self.wall {
+        let (mut renamed, mut kept) = (vec![usize::MAX; self.at.len()], Vec::new());
+        for node in (0..self.at.len()).filter(|node| used[*node]) {
+            renamed[node] = kept.len();
+            kept.push(self.at[node]);
+        }
+        self.at = kept;
+        let corners = self.cells.iter_mut().flat_map(|(corners, _)| corners);
+        for node in corners.chain(self.shell.iter_mut().flatten()).chain(&mut self.wall) {
             *node = renamed[*node];
         }
         self

@@ -11,28 +11,15 @@ pub mod mesh;
 pub mod orbit;
 pub(crate) mod point;
 
-use crate::models::axisymmetric::eye::parameters::{Material, Parameters, Wall};
-use mesh::{Extent, Mesh, Place};
+use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
+use crate::models::axisymmetric::eye::part;
+pub use crate::models::axisymmetric::eye::{Cell, Tissue};
+use mesh::{Extent, Mesh};
 use nalgebra::Vector3;
-use orbit::{Cavity, Orbit, OrbitRim, Round, seen_from_the_middle};
+use orbit::{Cavity, OrbitRim, seen_from_the_middle};
 
 /// Points along each side of a quad of the shell, and of a cell, that means over them take.
 const ACROSS: usize = 4;
-
-/// A hexahedron.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cell {
-    /// By the bits of their number: along its row, across it, and outward.
-    pub corners: [usize; 8],
-    /// Whether it lies in the globe or in what holds it.
-    pub place: Place,
-    /// Share of lens, 0 to 1.
-    pub lens: f64,
-    /// What fills it.
-    pub material: Material,
-    /// Stiffness against folding, in Pa.
-    pub subzonal: f64,
-}
 
 /// A piece of cornea or sclera.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,7 +50,7 @@ pub struct SpatialEye {
     /// Nodes and what lies between them.
     pub mesh: Mesh,
     /// Row by row.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<Cell<8>>,
     /// The shell.
     pub quads: Vec<ShellQuad>,
     /// Mass of each node, kg.
@@ -72,20 +59,21 @@ pub struct SpatialEye {
     pub fixed: Vec<bool>,
 }
 
-/// Middle of the piece `i` of `count` of a whole.
-fn part(i: usize, count: usize) -> f64 {
-    (i as f64 + 0.5) / count as f64
+/// How much of corner `i` of a cell is in a place at shares `s` of its three directions.
+pub(crate) fn share_of(i: usize, s: [f64; 3]) -> f64 {
+    let along = |bit: usize| if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] };
+    along(0) * along(1) * along(2)
 }
 
 /// The place in a cell at shares of its three directions.
 pub(crate) fn within(p: &[Vector3<f64>; 8], s: [f64; 3]) -> Vector3<f64> {
-    let weight = |i: usize| -> f64 {
-        let along = |bit: usize| {
-            if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
-        };
-        along(0) * along(1) * along(2)
-    };
-    (0..8).map(|i| p[i] * weight(i)).sum()
+    (0..8).map(|i| p[i] * share_of(i, s)).sum()
+}
+
+/// How much of each corner of a quad is in a place at shares of its two directions.
+#[inline]
+pub(crate) fn shares(s: f64, t: f64) -> [f64; 4] {
+    [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t]
 }
 
 /// The place on a quad at shares of its two directions.
@@ -111,29 +99,26 @@ fn volumes(p: &[Vector3<f64>; 8]) -> [f64; 8] {
         };
         let jacobian = along(0).dot(&along(1).cross(&along(2))) / 8.0;
         for (corner, volume) in volumes.iter_mut().enumerate() {
-            let share = |bit: usize| {
-                if corner >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
-            };
+            let share = |bit: usize| if corner >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] };
             *volume += jacobian * share(0) * share(1) * share(2);
         }
     }
     volumes
 }
 
-/// Area that each point of a quad at shares of [`GAUSS`] stands for.
-fn areas(p: &[Vector3<f64>; 4]) -> [(f64, [f64; 4]); 4] {
+/// Area that each of the four points of a quad at such shares stands for.
+pub(crate) fn areas(p: &[Vector3<f64>; 4], at: [f64; 2]) -> [f64; 4] {
     std::array::from_fn(|i| {
-        let (s, t) = (GAUSS[i & 1], GAUSS[i >> 1]);
+        let (s, t) = (at[i & 1], at[i >> 1]);
         let along = upon(p, 1.0, t) - upon(p, 0.0, t);
         let across = upon(p, s, 1.0) - upon(p, s, 0.0);
-        let shares = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
-        (0.25 * along.cross(&across).norm(), shares)
+        0.25 * along.cross(&across).norm()
     })
 }
 
 /// Area of a quad.
 pub(crate) fn area(p: &[Vector3<f64>; 4]) -> f64 {
-    areas(p).iter().map(|(area, _)| area).sum()
+    areas(p, GAUSS).iter().sum()
 }
 
 fn lens_share(parameters: &Parameters, p: &[Vector3<f64>; 8]) -> f64 {
@@ -156,112 +141,49 @@ fn lens_share(parameters: &Parameters, p: &[Vector3<f64>; 8]) -> f64 {
 }
 
 fn quad(parameters: &Parameters, corners: [usize; 4], p: &[Vector3<f64>; 4]) -> ShellQuad {
-    let shell = &parameters.shell;
-    let over = |of: &dyn Fn(f64) -> f64| {
-        let points = ACROSS * ACROSS;
-        let at = |i: usize| upon(p, part(i % ACROSS, ACROSS), part(i / ACROSS, ACROSS));
-        let sum: f64 = (0..points).map(|i| of(seen_from_the_middle(at(i)).0)).sum();
-        sum / points as f64
-    };
-    let thickness = over(&|front| shell.at(front).0);
-    let stiffness = over(&|front| shell.at(front).0 * shell.at(front).1);
-    ShellQuad {
-        corners,
-        thickness,
-        modulus: stiffness / thickness,
-        sclera: over(&|front| f64::from(front >= shell.limbus)),
-        seen: seen_from_the_middle(upon(p, 0.5, 0.5)),
-    }
+    let at = |i: usize| upon(p, part(i % ACROSS, ACROSS), part(i / ACROSS, ACROSS));
+    let fronts: [f64; ACROSS * ACROSS] = std::array::from_fn(|i| seen_from_the_middle(at(i)).0);
+    let (thickness, modulus, sclera) = parameters.shell.means(&fronts);
+    let seen = seen_from_the_middle(upon(p, 0.5, 0.5));
+    ShellQuad { corners, thickness, modulus, sclera, seen }
 }
 
 impl SpatialEye {
-    /// Finest level.
-    pub const FINEST: u32 = 5;
-
     /// Builds the eye at a level from 1, which has 2 `level` + 2 cells in half a side of its core.
     /// Without a `rim` of its own what holds the globe is round.
     ///
     /// # Panics
     /// If half of an eye is asked for whose rim is not round.
     pub fn new(parameters: &Parameters, rim: Option<OrbitRim>, extent: Extent, level: u32) -> Self {
-        let half = 2 * level as usize + 2;
-        let mut eye = Self::with_core(parameters, rim, extent, half);
-        eye.level = level;
-        eye
-    }
-
-    /// Builds the eye with `half` cells in half a side of its core.
-    ///
-    /// # Panics
-    /// If half of an eye is asked for whose rim is not round.
-    pub fn with_core(
-        parameters: &Parameters,
-        rim: Option<OrbitRim>,
-        extent: Extent,
-        half: usize,
-    ) -> Self {
         assert!(
             extent == Extent::Full || rim.is_none_or(|rim| rim.is_round()),
             "half of an eye has a round rim"
         );
-        let radius = parameters.radius;
-        let surround = parameters.surround.as_ref();
-        let cavity: Option<Box<dyn Cavity>> = surround.map(|surround| match rim {
-            Some(rim) => Box::new(Orbit { rim, wall: surround.wall, radius }) as Box<dyn Cavity>,
-            None => Box::new(Round { wall: surround.wall, opening: surround.opening }),
-        });
-        let mesh = mesh::build(half, extent, radius, cavity.as_deref());
+        let half = 2 * level as usize + 2;
+        let (radius, surround) = (parameters.radius, parameters.surround.as_ref());
+        let mesh = mesh::build(half, extent, radius, Cavity::new(parameters, rim));
         // Tests in gelatin were made with objects that fit its holder.
-        let rim = surround.and_then(|surround| {
-            let angle = std::f64::consts::PI - surround.opening;
-            let distance = surround.wall.distance(angle);
-            let at = (distance * libm::cos(angle), distance * libm::sin(angle));
-            let round = match surround.wall {
-                Wall::Cone { .. } => Some(OrbitRim::round(at, radius)),
-                Wall::Sphere(_) => None,
-            };
-            rim.or(round)
-        });
-        let cells = mesh.cells.iter().map(|&(corners, place)| {
+        let round = |of: &Surround| of.wall.is_bone().then(|| OrbitRim::round(of.edge(), radius));
+        let cells = mesh.cells.iter().map(|&(corners, region)| {
             let lens = lens_share(parameters, &corners.map(|node| mesh.at[node]));
-            match surround.filter(|_| place == Place::Surround) {
-                Some(around) => Cell {
-                    corners,
-                    place,
-                    lens: 0.0,
-                    material: around.material,
-                    subzonal: around.subzonal,
-                },
-                None => Cell {
-                    corners,
-                    place,
-                    lens,
-                    material: parameters.lens.material.mixed(parameters.vitreous, lens),
-                    subzonal: parameters.subzonal,
-                },
-            }
+            Cell::new(parameters, corners, region, lens)
         });
-        let cells = cells.collect();
-        let quads = mesh
-            .shell
-            .iter()
-            .map(|&corners| quad(parameters, corners, &corners.map(|node| mesh.at[node])))
-            .collect();
-        let mut fixed = vec![false; mesh.at.len()];
-        for &node in &mesh.wall {
-            fixed[node] = true;
-        }
+        let quads = mesh.shell.iter();
+        let quads = quads.map(|&of| quad(parameters, of, &of.map(|node| mesh.at[node])));
         let mut eye = Self {
-            level: 0,
+            level,
             extent,
             parameters: *parameters,
-            rim,
+            rim: surround.and_then(|surround| rim.or_else(|| round(surround))),
+            cells: cells.collect(),
+            quads: quads.collect(),
             mass: vec![0.0; mesh.at.len()],
+            fixed: vec![false; mesh.at.len()],
             mesh,
-            cells,
-            quads,
-            fixed,
         };
+        for &node in &eye.mesh.wall {
+            eye.fixed[node] = true;
+        }
         eye.spread_mass();
         eye
     }
@@ -277,7 +199,8 @@ impl SpatialEye {
         for quad in &self.quads {
             let p = quad.corners.map(|node| self.mesh.at[node]);
             let areal = self.parameters.shell.density * quad.thickness;
-            for (area, shares) in areas(&p) {
+            for (i, area) in areas(&p, GAUSS).into_iter().enumerate() {
+                let shares = shares(GAUSS[i & 1], GAUSS[i >> 1]);
                 for (node, share) in quad.corners.into_iter().zip(shares) {
                     self.mass[node] += areal * area * share;
                 }
@@ -292,14 +215,11 @@ impl SpatialEye {
 
     /// How often what is computed is there.
     pub(crate) fn copies(&self) -> f64 {
-        match self.extent {
-            Extent::Half => 2.0,
-            Extent::Full => 1.0,
-        }
+        if self.extent == Extent::Half { 2.0 } else { 1.0 }
     }
 
     /// Volume of a cell at rest, in m3.
-    pub(crate) fn volume(&self, cell: &Cell) -> f64 {
+    pub(crate) fn volume(&self, cell: &Cell<8>) -> f64 {
         volumes(&cell.corners.map(|node| self.mesh.at[node])).iter().sum()
     }
 
@@ -317,15 +237,11 @@ impl SpatialEye {
                 met.entry(sorted).or_insert((0, quad)).0 += 1;
             }
         }
-        let mut open: Vec<[usize; 4]> = met
-            .into_values()
-            .filter(|(count, quad)| {
-                let held = quad.iter().all(|node| self.fixed[*node]);
-                let mirror = quad.iter().all(|node| self.on_mirror(*node));
-                *count == 1 && !held && !mirror
-            })
-            .map(|(_, quad)| quad)
-            .collect();
+        let open = met.into_values().filter(|(count, quad)| {
+            let held = quad.iter().all(|node| self.fixed[*node]);
+            *count == 1 && !held && !quad.iter().all(|node| self.on_mirror(*node))
+        });
+        let mut open: Vec<[usize; 4]> = open.map(|(_, quad)| quad).collect();
         // From the front to the back.
         let along = |quad: &[usize; 4]| quad.iter().map(|n| self.mesh.at[*n].x).sum::<f64>();
         open.sort_by(|a, b| along(a).total_cmp(&along(b)).then(a.cmp(b)));
@@ -336,7 +252,6 @@ impl SpatialEye {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::axisymmetric::eye::parameters::Surround;
     use crate::scenario::Rim;
     use std::f64::consts::PI;
 
@@ -392,7 +307,7 @@ mod tests {
         let rim = OrbitRim::from(&Rim::CAUCASIAN);
         let eye = SpatialEye::new(&Parameters::default(), Some(rim), Extent::Full, 1);
         assert!(eye.open_quads().len() > eye.quads.len() / 4);
-        let fat = eye.cells.iter().filter(|c| c.place == Place::Surround).count();
+        let fat = eye.cells.iter().filter(|c| c.region == Tissue::Surround).count();
         assert!((500..900).contains(&fat), "{fat}");
         let round = SpatialEye::new(&Parameters::default(), None, Extent::Full, 1);
         let rim = round.rim.unwrap();

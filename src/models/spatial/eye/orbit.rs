@@ -15,17 +15,19 @@
 //! on the middle of the rounding. Bone is rigid. Left out: the surface of the face beyond the edge
 //! and the nose, which shield more, and that bone breaks.
 
-use crate::models::axisymmetric::eye::parameters::Wall;
+use crate::models::axisymmetric::eye::front_angle;
+use crate::models::axisymmetric::eye::parameters::{Parameters, Surround, Wall};
+use crate::models::axisymmetric::forces::contact::last;
 use crate::scenario::{Around, Rim};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 
+/// Radius of the edge of bone, in m: an assumption. From 3 to 8 mm pressures change by 2 to 5 %.
+pub(crate) const EDGE: f64 = 5e-3;
 /// Over which length the wall comes from the rim to its cone, in m.
 const RELAXES: f64 = 10e-3;
 /// Spheres around the rim.
 const SPHERES: usize = 192;
-/// Halvings of an interval that leave nothing of it.
-const HALVINGS: usize = 60;
 
 /// The rim of an orbit at 12 o'clock, at the nose, at 6 o'clock and at the temple.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,41 +36,19 @@ pub struct OrbitRim {
     pub depth: [f64; 4],
     /// How far it lies outside of the globe, in m.
     pub gap: [f64; 4],
-    /// Radius of its rounding, in m.
-    pub edge: f64,
-    /// Stiffness of all of it against a hard object, in N/m.
-    pub stiffness: f64,
 }
 
 impl From<&Rim> for OrbitRim {
     fn from(rim: &Rim) -> Self {
         let around = |of: Around| [of.above, of.nose, of.below, of.temple].map(|mm| mm * 1e-3);
-        Self {
-            depth: around(rim.depth_mm),
-            gap: around(rim.gap_mm),
-            edge: Self::EDGE,
-            stiffness: Self::STIFFNESS,
-        }
+        Self { depth: around(rim.depth_mm), gap: around(rim.gap_mm) }
     }
 }
 
 impl OrbitRim {
-    /// Rounding of the edge of bone, in m: an assumption. From 3 to 8 mm pressures change by
-    /// 2 to 5 %.
-    pub const EDGE: f64 = 5e-3;
-    /// Stiffness of bone, in N/m. Bone is meant to be rigid: with 3e7 N/m a ball of 24 g comes
-    /// millimetres into it, and a stiffness ten times as large takes 10 to 34 % of the pressure;
-    /// beyond 1e9 hardly anything changes.
-    pub const STIFFNESS: f64 = 1e9;
-
     /// A round rim through (x, r), in m, around a globe of `radius` m.
     pub fn round((x, r): (f64, f64), radius: f64) -> Self {
-        Self {
-            depth: [x + radius; 4],
-            gap: [r - radius; 4],
-            edge: Self::EDGE,
-            stiffness: Self::STIFFNESS,
-        }
+        Self { depth: [x + radius; 4], gap: [r - radius; 4] }
     }
 
     /// Whether it is the same in every direction.
@@ -92,7 +72,7 @@ impl OrbitRim {
         };
         let length = |i: usize| (edge(i + 1) - edge(i)).norm();
         let whole: f64 = (0..SPHERES).map(length).sum();
-        let away = FRAC_1_SQRT_2 * self.edge;
+        let away = FRAC_1_SQRT_2 * EDGE;
         (0..SPHERES)
             .map(|i| {
                 let outward = Vector3::new(0.0, libm::cos(azimuth(i)), libm::sin(azimuth(i)));
@@ -132,50 +112,30 @@ fn periodic(of: &[f64; 4], azimuth: f64) -> f64 {
         + slope(i + 1) * (s3 - s2)
 }
 
-/// What the mesh around the globe must know of it.
-pub(crate) trait Cavity {
-    /// How far behind the opening a place lies, as a difference of front angles, rad.
-    fn behind(&self, at: Vector3<f64>) -> f64;
-    /// Distance of the wall from the middle of the globe in a direction, in m; in front of the
-    /// opening of what is free there.
-    fn distance(&self, direction: Vector3<f64>) -> f64;
-}
-
 /// Front angle and azimuth of a place.
 pub(crate) fn seen_from_the_middle(at: Vector3<f64>) -> (f64, f64) {
     let across = libm::hypot(at.y, at.z);
     (libm::atan2(across, -at.x), libm::atan2(at.z, at.y))
 }
 
-/// A wall that is the same all around.
+/// What the mesh around the globe must know of its wall: one that is the same all around, or an
+/// orbit with a rim that was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Round {
+pub(crate) struct Cavity {
     pub wall: Wall,
-    /// Front angle, rad.
+    /// Front angle of a wall without a rim, rad.
     pub opening: f64,
-}
-
-impl Cavity for Round {
-    fn behind(&self, at: Vector3<f64>) -> f64 {
-        seen_from_the_middle(at).0 - self.opening
-    }
-
-    fn distance(&self, direction: Vector3<f64>) -> f64 {
-        let front = seen_from_the_middle(direction).0.max(self.opening);
-        self.wall.distance(PI - front)
-    }
-}
-
-/// An orbit with a rim that was measured.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Orbit {
-    pub rim: OrbitRim,
-    pub wall: Wall,
+    pub rim: Option<OrbitRim>,
     /// Of the globe, m.
     pub radius: f64,
 }
 
-impl Orbit {
+impl Cavity {
+    pub fn new(parameters: &Parameters, rim: Option<OrbitRim>) -> Option<Self> {
+        let Surround { wall, opening, .. } = parameters.surround?;
+        Some(Self { wall, opening, rim, radius: parameters.radius })
+    }
+
     /// Distance of the wall from the axis at `x`, behind a rim at some azimuth.
     fn wall_at(&self, x: f64, (rim_x, rim_r): (f64, f64)) -> f64 {
         let cone = |x: f64| match self.wall {
@@ -184,20 +144,24 @@ impl Orbit {
         };
         cone(x) + (rim_r - cone(rim_x)) * libm::exp(-(x - rim_x) / RELAXES)
     }
-}
 
-impl Cavity for Orbit {
-    fn behind(&self, at: Vector3<f64>) -> f64 {
+    /// How far behind the opening a place lies, as a difference of front angles, rad.
+    pub fn behind(&self, at: Vector3<f64>) -> f64 {
         let (front, azimuth) = seen_from_the_middle(at);
-        let (x, r) = self.rim.at(azimuth, self.radius);
-        front - libm::atan2(r, -x)
+        let edge = |rim: OrbitRim| front_angle(rim.at(azimuth, self.radius));
+        front - self.rim.map_or(self.opening, edge)
     }
 
-    fn distance(&self, direction: Vector3<f64>) -> f64 {
+    /// Distance of the wall from the middle of the globe in a direction, in m; in front of the
+    /// opening of what is free there.
+    pub fn distance(&self, direction: Vector3<f64>) -> f64 {
         let (front, azimuth) = seen_from_the_middle(direction);
-        let rim = self.rim.at(azimuth, self.radius);
+        let Some(rim) = self.rim else {
+            return self.wall.distance(PI - front.max(self.opening));
+        };
+        let rim = rim.at(azimuth, self.radius);
         let edge = libm::hypot(rim.0, rim.1);
-        if front <= libm::atan2(rim.1, -rim.0) {
+        if front <= front_angle(rim) {
             return edge;
         }
         let farthest = match self.wall {
@@ -205,20 +169,9 @@ impl Cavity for Orbit {
             Wall::Sphere(radius) => radius,
         };
         let (along, across) = (-libm::cos(front), libm::sin(front));
-        // Within the wall at the globe, outside of it far away.
-        let (mut within, mut beyond) = (self.radius, farthest.max(edge));
-        if beyond * across < self.wall_at(beyond * along, rim) {
-            return beyond;
-        }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (within + beyond);
-            if middle * across < self.wall_at(middle * along, rim) {
-                within = middle;
-            } else {
-                beyond = middle;
-            }
-        }
-        within
+        let within = |at: f64| at * across < self.wall_at(at * along, rim);
+        let beyond = farthest.max(edge);
+        if within(beyond) { beyond } else { last(self.radius, beyond, within) }
     }
 }
 
@@ -248,11 +201,7 @@ mod tests {
     #[test]
     fn the_wall_starts_at_the_rim_and_the_shares_of_its_edge_add_up() {
         let rim = OrbitRim::from(&Rim::CAUCASIAN);
-        let orbit = Orbit {
-            rim,
-            wall: crate::models::axisymmetric::eye::parameters::Surround::orbit().wall,
-            radius: 12e-3,
-        };
+        let orbit = Cavity::new(&Parameters::default(), Some(rim)).unwrap();
         for i in 0..48 {
             let azimuth = f64::from(i) * TAU / 48.0;
             let (x, r) = rim.at(azimuth, 12e-3);

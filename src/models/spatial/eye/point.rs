@@ -1,7 +1,8 @@
 //! Points that move with the eye: a weighted mean of nodes.
 
 use crate::models::spatial::eye::mesh::{Extent, Place};
-use crate::models::spatial::eye::{Cell, SpatialEye, upon, within};
+use crate::models::spatial::eye::{SpatialEye, share_of, shares, upon, within};
+use crate::models::spatial::forces::state::vector;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 /// Places or velocities of all nodes, by component.
@@ -28,7 +29,7 @@ impl Point {
     pub fn of(&self, nodes: &Nodes) -> Vector3<f64> {
         let mut sum = Vector3::zeros();
         for &(node, share) in &self.shares {
-            sum += Vector3::new(nodes[0][node], nodes[1][node], nodes[2][node]) * share;
+            sum += vector(nodes, node) * share;
         }
         if self.mirrored {
             sum.z = -sum.z;
@@ -50,12 +51,10 @@ impl SpatialEye {
     /// The point of the shell in a direction from the middle.
     pub(crate) fn on_shell(&self, direction: Vector3<f64>) -> Option<Point> {
         let (direction, mirrored) = self.computed(direction);
-        let side = direction.cross(&Vector3::x());
-        let side = if side.norm() > 1e-3 * direction.norm() {
-            side
-        } else {
-            direction.cross(&Vector3::y())
-        };
+        let mut side = direction.cross(&Vector3::x());
+        if side.norm() <= 1e-3 * direction.norm() {
+            side = direction.cross(&Vector3::y());
+        }
         let up = direction.cross(&side);
         let (side, up) = (side.normalize(), up.normalize());
         self.quads.iter().find_map(|quad| {
@@ -77,28 +76,27 @@ impl SpatialEye {
             let at = upon(&p, s, t);
             let aside = side.dot(&at).abs().max(up.dot(&at).abs());
             let found = aside < SLACK * at.norm() && at.dot(&direction) > 0.0;
-            if !found || !inside.contains(&s) || !inside.contains(&t) {
+            if !(found && inside.contains(&s) && inside.contains(&t)) {
                 return None;
             }
-            let shares = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
-            Some(Point { shares: quad.corners.into_iter().zip(shares).collect(), mirrored })
+            Some(Point { shares: quad.corners.into_iter().zip(shares(s, t)).collect(), mirrored })
         })
     }
 
     /// The point at a place, and its cell, if some cell is there; of the globe alone if asked for.
     pub(crate) fn at(&self, place: Vector3<f64>, only: Option<Place>) -> Option<(Point, usize)> {
         let (place, mirrored) = self.computed(place);
-        let wanted = |cell: &Cell| only.is_none_or(|only| cell.place == only);
-        let cells = self.cells.iter().enumerate().filter(|(_, cell)| wanted(cell));
-        for (number, cell) in cells {
+        self.cells.iter().enumerate().find_map(|(number, cell)| {
+            if only.is_some_and(|only| cell.region != only) {
+                return None;
+            }
             let p = cell.corners.map(|node| self.mesh.at[node]);
             let middle = within(&p, [0.5; 3]);
             let reach = p.iter().map(|p| (p - middle).norm()).fold(0.0, f64::max);
             if (place - middle).norm() > 1.01 * reach {
-                continue;
+                return None;
             }
             let mut s = Vector3::repeat(0.5);
-            let mut found = true;
             for _ in 0..STEPS {
                 let at = |s: Vector3<f64>| within(&p, s.into());
                 let along = |bit: usize| {
@@ -107,26 +105,14 @@ impl SpatialEye {
                     at(high) - at(low)
                 };
                 let slope = Matrix3::from_columns(&[along(0), along(1), along(2)]);
-                match slope.try_inverse() {
-                    Some(inverse) => s -= inverse * (at(s) - place),
-                    None => found = false,
-                }
+                s -= slope.try_inverse()? * (at(s) - place);
             }
             let inside = |s: &f64| (-SLACK..=1.0 + SLACK).contains(s);
             let off = (within(&p, s.into()) - place).norm();
-            if !found || off > SLACK * reach || !s.iter().all(inside) {
-                continue;
-            }
-            let share = |i: usize| {
-                let along = |bit: usize| {
-                    if i >> bit & 1 == 1 { s[bit] } else { 1.0 - s[bit] }
-                };
-                along(0) * along(1) * along(2)
-            };
-            let shares = (0..8).map(|i| (cell.corners[i], share(i))).collect();
-            return Some((Point { shares, mirrored }, number));
-        }
-        None
+            let shares = (0..8).map(|i| (cell.corners[i], share_of(i, s.into()))).collect();
+            let found = off <= SLACK * reach && s.iter().all(inside);
+            found.then_some((Point { shares, mirrored }, number))
+        })
     }
 }
 

@@ -20,11 +20,6 @@
 //!   c = (8/3)(0.05 rho l c') V/(64 V0^(2/3)): fh = -c Q', and what keeps the turn free of it goes
 //!   into the stress as -(c/V) Q' (x) Xh.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::cell::{
     FLAT, LINEAR, QUADRATIC, SUBZONAL_BULK, SUBZONAL_VISCOSITY,
 };
@@ -41,49 +36,28 @@ const ASSEMBLED: f64 = 1.7;
 
 /// What is constant of a cell.
 pub(crate) mod field {
-    /// m3.
-    pub const VOLUME: usize = 0;
-    /// 1/m3.
-    pub const INVERSE_VOLUME: usize = 1;
-    /// Slopes of the volume at rest over the volume, mode by mode, 1/m.
-    pub const SLOPE: usize = 2;
-    /// Six times the volumes of the corner tetrahedra, m3.
-    pub const CORNER: usize = 20;
+    pub const VOLUME: usize = 0; // m3.
+    pub const INVERSE_VOLUME: usize = 1; // 1/m3.
+    pub const SLOPE: usize = 2; // Slopes of the volume at rest over the volume, mode by mode, 1/m.
+    pub const CORNER: usize = 20; // Six times the volumes of the corner tetrahedra, m3.
     pub const BULK: usize = 28;
-    /// Shear modulus times volume, J.
-    pub const SHEAR: usize = 29;
-    /// Twice the viscosity.
-    pub const VISCOSITY: usize = 30;
-    /// A third of the stiffness against folding times the weight of corners, Pa.
-    pub const SUBZONAL: usize = 31;
-    /// Artificial viscosity per length and rate.
-    pub const LINEAR: usize = 32;
-    /// Artificial viscosity per square of length and of rate.
-    pub const QUADRATIC: usize = 33;
-    /// Viscosity of the corners per length, with their weight.
-    pub const CORNER_VISCOSITY: usize = 34;
-    /// Viscosity of the modes that change nothing, per length and volume.
-    pub const HOURGLASS: usize = 35;
-    /// Squared speed of sound.
-    pub const BULK_SPEED: usize = 36;
-    /// What other stiffness adds to it.
-    pub const OTHER_SPEED: usize = 37;
-    /// Viscous speed that does not depend on the state.
-    pub const CONSTANT_SPEED: usize = 38;
-    /// Kinematic viscosity.
-    pub const KINEMATIC: usize = 39;
-    /// Part of the squared frequency of a corner.
-    pub const CORNER_SPEED: usize = 40;
-    /// Weight in the mean pressure of the globe.
-    pub const MEAN: usize = 41;
-    /// Weight in the pressure at the back.
-    pub const SENSOR: usize = 42;
-    /// 1 for a cell of the globe.
-    pub const GLOBE: usize = 43;
-    /// 1, or 0 of a place without a cell.
-    pub const PRESENT: usize = 44;
-    /// 1 over an eighth of its mass, 1/kg.
-    pub const INVERSE_MASS: usize = 45;
+    pub const SHEAR: usize = 29; // Shear modulus times volume, J.
+    pub const VISCOSITY: usize = 30; // Twice the viscosity.
+    pub const SUBZONAL: usize = 31; // A third of the stiffness of corners, with their weight, Pa.
+    pub const LINEAR: usize = 32; // Artificial viscosity per length and rate.
+    pub const QUADRATIC: usize = 33; // Artificial viscosity per square of length and of rate.
+    pub const CORNER_VISCOSITY: usize = 34; // Of the corners per length, with their weight.
+    pub const HOURGLASS: usize = 35; // Of modes that change nothing, per length and volume.
+    pub const BULK_SPEED: usize = 36; // Squared speed of sound.
+    pub const OTHER_SPEED: usize = 37; // What other stiffness adds to it.
+    pub const CONSTANT_SPEED: usize = 38; // Viscous speed that does not depend on the state.
+    pub const KINEMATIC: usize = 39; // Kinematic viscosity.
+    pub const CORNER_SPEED: usize = 40; // Part of the squared frequency of a corner.
+    pub const MEAN: usize = 41; // Weight in the mean pressure of the globe.
+    pub const SENSOR: usize = 42; // Weight in the pressure at the back.
+    pub const GLOBE: usize = 43; // 1 for a cell of the globe.
+    pub const PRESENT: usize = 44; // 1, or 0 of a place without a cell.
+    pub const INVERSE_MASS: usize = 45; // 1 over an eighth of its mass, 1/kg.
     pub const COUNT: usize = 46;
 }
 
@@ -91,7 +65,7 @@ pub(crate) mod field {
 pub(crate) type Constants = [f64; field::COUNT];
 
 /// The constants of a cell, or of as many as are computed at once.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct Fields<'a> {
     pub of: &'a [f64],
     /// From one constant to the next, and the first cell's place in each.
@@ -114,7 +88,6 @@ impl<'a> Fields<'a> {
 pub(crate) type Eight<N> = [Three<N>; 8];
 
 /// What a cell does at some instant.
-#[derive(Debug, Clone, Copy)]
 pub(crate) struct Response<N> {
     /// On each corner, N.
     pub force: Eight<N>,
@@ -211,7 +184,7 @@ fn outer<M: Math>(x: &Eight<M::N>, g: &[Three<M::N>; 7]) -> [Three<M::N>; 3] {
 }
 
 /// The constants of a cell of `eye`.
-pub(crate) fn constants(eye: &SpatialEye, cell: &Cell) -> Constants {
+pub(crate) fn constants(eye: &SpatialEye, cell: &Cell<8>) -> Constants {
     let p: Eight<f64> = cell.corners.map(|node| eye.mesh.at[node].into());
     let x = modes(Plain, &p);
     let slope = slopes(Plain, &x);

@@ -12,11 +12,10 @@
 
 use crate::models::axisymmetric::forces::contact::{DAMPED, TOUCHING};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
-use crate::models::spatial::eye::{SpatialEye, upon};
-use crate::models::spatial::forces::object::{MovingObject, touches};
+use crate::models::spatial::eye::{SpatialEye, areas, shares};
+use crate::models::spatial::forces::object::{Line, MovingObject, touches};
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.67;
@@ -38,7 +37,6 @@ struct Open {
 }
 
 /// The eye as contact sees it.
-#[derive(Debug, Clone)]
 pub(crate) struct Target {
     quads: Vec<Open>,
     /// Places of nodes that are open but not of the shell, at rest.
@@ -53,7 +51,7 @@ pub(crate) struct Target {
 }
 
 /// What contact does at some instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Touch {
     /// Force on the eye, N.
     pub force: Vector3<f64>,
@@ -67,14 +65,6 @@ pub(crate) struct Touch {
     pub loss: f64,
     /// Area of the shell, across the way of the object, that is touched, m2.
     pub area: f64,
-    /// Quads that were looked at.
-    pub quads: usize,
-}
-
-/// Shares of the corners of a quad in a point.
-fn shares(point: usize) -> [f64; 4] {
-    let (s, t) = (POINTS[point & 1], POINTS[point >> 1]);
-    [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t]
 }
 
 /// The share of a triangle in which a linear depth is above 0.
@@ -114,32 +104,21 @@ impl Target {
     /// What an object of this radius, in m, can touch.
     pub fn new(eye: &SpatialEye, radius: f64) -> Self {
         let at = |node: usize| eye.mesh.at[node];
-        let shell: std::collections::BTreeMap<[usize; 4], usize> = eye
-            .quads
-            .iter()
-            .enumerate()
-            .map(|(number, quad)| (sorted(quad.corners), number))
-            .collect();
+        let numbered = eye.quads.iter().enumerate();
+        let shell: std::collections::BTreeMap<_, _> =
+            numbered.map(|(number, quad)| (sorted(quad.corners), number)).collect();
         let quads = eye.open_quads().into_iter().map(|corners| {
             let p = corners.map(at);
             Open {
                 corners,
-                areas: std::array::from_fn(|i| {
-                    let (s, t) = (POINTS[i & 1], POINTS[i >> 1]);
-                    let along = upon(&p, 1.0, t) - upon(&p, 0.0, t);
-                    let across = upon(&p, s, 1.0) - upon(&p, s, 0.0);
-                    0.25 * along.cross(&across).norm()
-                }),
+                areas: areas(&p, POINTS),
                 size: (p[2] - p[0]).norm().max((p[3] - p[1]).norm()),
                 shell: shell.get(&sorted(corners)).copied(),
             }
         });
         // A thing that fits a round holder's opening lands on what fills it; what is wider meets
         // nothing there, as in the axisymmetric eye: where a cup ends is an assumption.
-        let fits = eye.parameters.surround.is_none_or(|surround| {
-            let angle = PI - surround.opening;
-            radius < surround.wall.distance(angle) * libm::sin(angle)
-        });
+        let fits = eye.parameters.surround.is_none_or(|surround| radius < surround.edge().1);
         let soft = fits || eye.rim.is_some_and(|rim| !rim.is_round());
         let quads: Vec<Open> = quads.filter(|quad| soft || quad.shell.is_some()).collect();
         let free = quads.iter().filter(|quad| quad.shell.is_none());
@@ -155,11 +134,7 @@ impl Target {
     }
 
     /// How far along its way an object comes before it touches what lies in front of bone.
-    pub fn first_touch(
-        &self,
-        outline: ObjectOutline,
-        line: (Vector3<f64>, Vector3<f64>),
-    ) -> Option<f64> {
+    pub fn first_touch(&self, outline: ObjectOutline, line: Line) -> Option<f64> {
         self.ahead.iter().filter_map(|at| touches(outline, line, *at, 0.0)).reduce(f64::min)
     }
 
@@ -191,22 +166,13 @@ impl Target {
     }
 
     /// Adds the forces of contact to those of nodes and to the projectile's.
-    #[expect(clippy::too_many_lines, reason = "one loop over quads and their points")]
     pub fn forces(
         &mut self,
         object: &Object,
         projectile: &mut MovingObject,
         state: &mut NodeState,
     ) -> Touch {
-        let mut touch = Touch {
-            force: Vector3::zeros(),
-            energy: 0.0,
-            limit: f64::INFINITY,
-            used_up: 0.0,
-            loss: 0.0,
-            area: 0.0,
-            quads: 0,
-        };
+        let mut touch = Touch::default();
         let near = object.near();
         let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
         for quad in &self.quads {
@@ -216,14 +182,13 @@ impl Target {
             if Self::far(object, projectile, vector(&state.at, quad.corners[0]), quad.size) {
                 continue;
             }
-            touch.quads += 1;
             let p = quad.corners.map(|node| vector(&state.at, node));
             let v = quad.corners.map(|node| vector(&state.speed, node));
             let mut forces = [Vector3::zeros(); 4];
             let (mut pressed_any, mut close) = (false, false);
             let mut depths = [0.0; 4];
             for (point, area) in quad.areas.iter().enumerate() {
-                let shares = shares(point);
+                let shares = shares(POINTS[point & 1], POINTS[point >> 1]);
                 let mix = |of: &[Vector3<f64>; 4]| -> Vector3<f64> {
                     (0..4).map(|i| of[i] * shares[i]).sum()
                 };

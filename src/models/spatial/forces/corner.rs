@@ -12,11 +12,6 @@
 //! without d the bound of crushed cells is up to 1.4 times what a whole mesh bears by its largest
 //! eigenvalue, with it 1.26 times less (a golf ball and a foam ball that crush fat on bone).
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::cell::{LOSS_IN_STEP, SQUEEZED};
 use crate::models::spatial::forces::cell::{Constants, Eight, Fields, field};
 use crate::models::spatial::forces::math::{Math, Three, cross, dot, minus, plus, times};

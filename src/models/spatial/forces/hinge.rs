@@ -1,10 +1,6 @@
 //! The hinges between quads of the shell: its bending stiffness; see [`super::shell`].
 
-#![allow(
-    clippy::inline_always,
-    clippy::needless_range_loop,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
+#![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::eye::SpatialEye;
@@ -19,7 +15,6 @@ use std::collections::BTreeMap;
 const LEAST: f64 = 1e-3;
 
 /// Eight hinges.
-#[derive(Debug, Clone, Copy)]
 struct Group {
     /// Both ends of the edge, and the ends of the edges beyond on either side.
     nodes: [[u32; LANES]; 6],
@@ -33,7 +28,6 @@ struct Group {
 }
 
 /// All hinges.
-#[derive(Debug, Clone)]
 pub(crate) struct Hinges {
     groups: Vec<Group>,
 }

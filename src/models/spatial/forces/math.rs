@@ -3,15 +3,10 @@
 //! No operation is fused, and what is summed is summed by place, so every width gives the same
 //! bits but for the root of a volume, which the plain form takes from `libm`.
 
-#![allow(
-    clippy::inline_always,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
-
 use crate::models::axisymmetric::forces::quads::inverse_cube_root_squared;
 use crate::models::paper::forces::lanes::{V, load, splat, store};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
-use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// How numbers are computed.
 pub(crate) trait Math: Copy {
@@ -23,6 +18,7 @@ pub(crate) trait Math: Copy {
         + SubAssign
         + Mul<Output = Self::N>
         + MulAssign
+        + Div<Output = Self::N>
         + Neg<Output = Self::N>;
     /// How many are computed at once.
     const WIDTH: usize;
@@ -30,7 +26,10 @@ pub(crate) trait Math: Copy {
     fn number(self, value: f64) -> Self::N;
     fn load(self, from: &[f64], at: usize) -> Self::N;
     fn store(self, value: Self::N, to: &mut [f64], at: usize);
-    fn over(self, a: Self::N, b: Self::N) -> Self::N;
+    #[inline(always)]
+    fn over(self, a: Self::N, b: Self::N) -> Self::N {
+        a / b
+    }
     fn root(self, of: Self::N) -> Self::N;
     fn least(self, a: Self::N, b: Self::N) -> Self::N;
     fn most(self, a: Self::N, b: Self::N) -> Self::N;
@@ -57,10 +56,6 @@ impl Math for Plain {
     #[inline(always)]
     fn store(self, value: f64, to: &mut [f64], at: usize) {
         to[at] = value;
-    }
-    #[inline(always)]
-    fn over(self, a: f64, b: f64) -> f64 {
-        a / b
     }
     #[inline(always)]
     fn root(self, of: f64) -> f64 {
@@ -102,10 +97,6 @@ impl<S: Simd> Math for Wide<S> {
         store::<S>(to, at, value);
     }
     #[inline(always)]
-    fn over(self, a: V<S>, b: V<S>) -> V<S> {
-        a / b
-    }
-    #[inline(always)]
     fn root(self, of: V<S>) -> V<S> {
         of.sqrt()
     }
@@ -128,20 +119,7 @@ pub(crate) type Three<N> = [N; 3];
 
 macro_rules! by_component {
     ($i:ident => $of:expr) => {
-        [
-            {
-                let $i = 0usize;
-                $of
-            },
-            {
-                let $i = 1usize;
-                $of
-            },
-            {
-                let $i = 2usize;
-                $of
-            },
-        ]
+        $crate::models::axisymmetric::forces::quads::written_out!($i => $of; 0 1 2)
     };
 }
 pub(crate) use by_component;

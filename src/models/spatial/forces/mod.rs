@@ -1,6 +1,5 @@
 //! What acts on the nodes: cells, shell, the object and bone.
 
-pub(crate) mod bone;
 pub(crate) mod cell;
 pub(crate) mod contact;
 pub(crate) mod corner;

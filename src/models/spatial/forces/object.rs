@@ -5,13 +5,13 @@
 //! length at rest and pulls them together from any side. Left out: that an object turns, so the
 //! axis of a cylinder stays where it came from.
 
-use crate::models::axisymmetric::forces::object::{
-    Object, ObjectOutline, SURFACE_SHARE, hysteresis,
-};
-use crate::models::axisymmetric::forces::object_spring::ObjectSpring;
+use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
+use crate::models::axisymmetric::forces::object_spring::{Core, hysteresis};
 use nalgebra::Vector3;
 
 type Vector = Vector3<f64>;
+/// The way of a flight, and the point nearest to the middle of the globe that it goes through.
+pub(crate) type Line = (Vector, Vector);
 
 /// How a blow comes, in the eye's own axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -81,7 +81,7 @@ pub(crate) struct MovingObject {
     pub mass: [f64; 2],
     /// The way it came.
     pub way: Vector,
-    spring: Option<(ObjectSpring, f64)>,
+    core: Core,
     arrival: f64,
     /// Longest stable step of the spring, s.
     pub limit: f64,
@@ -90,19 +90,15 @@ pub(crate) struct MovingObject {
 impl MovingObject {
     /// An object that flies along `way` and is at `at` now.
     pub fn new(object: &Object, way: Vector, at: Vector) -> Self {
-        let spring = object.spring.map(|spring| {
-            let law = ObjectSpring::new(spring.stiffness, 2.0 * object.outline.radius());
-            (law, spring.restitution * spring.restitution)
-        });
-        let surface = if spring.is_some() { SURFACE_SHARE * object.mass } else { object.mass };
+        let core = Core::new(object);
         Self {
             at: [at; 2],
             speed: [way * object.speed; 2],
             force: [Vector::zeros(); 2],
             lossy: [Vector::zeros(); 2],
-            mass: [surface, object.mass - surface],
+            mass: core.mass,
             way,
-            spring,
+            core,
             arrival: object.speed,
             limit: f64::INFINITY,
         }
@@ -111,7 +107,7 @@ impl MovingObject {
     /// Sets the forces to those of the spring.
     pub fn inner(&mut self) {
         (self.force, self.lossy) = ([Vector::zeros(); 2], [Vector::zeros(); 2]);
-        let Some((law, kept)) = self.spring else {
+        let Some((law, kept)) = self.core.spring else {
             return;
         };
         let apart = self.at[1] - self.at[0];
@@ -123,11 +119,7 @@ impl MovingObject {
         self.force = [along * (squeezed.force * left), along * (-squeezed.force * left)];
         let lossy = along * (squeezed.force * (left - 1.0));
         self.lossy = [lossy, -lossy];
-        // An oscillator of frequency w with a damping ratio z: (2/w)(sqrt(1 + z^2) - z).
-        let reduced = self.mass[0] * self.mass[1] / (self.mass[0] + self.mass[1]);
-        let w = (squeezed.slope / reduced).sqrt();
-        let z = 0.5 * squeezed.force.abs() * slope / (w * reduced);
-        self.limit = 2.0 / w * ((1.0 + z * z).sqrt() - z);
+        self.limit = self.core.limit(&squeezed, slope);
     }
 
     /// How much the spring is squeezed along its way, m.
@@ -142,8 +134,7 @@ impl MovingObject {
 
     /// Energy of the spring, J.
     pub fn stored(&self) -> f64 {
-        let squeeze = (self.at[1] - self.at[0]).norm();
-        self.spring.map_or(0.0, |(law, _)| law.at(squeeze).energy)
+        self.core.stored((self.at[1] - self.at[0]).norm())
     }
 
     /// Kinetic energy of the velocities, J; with `kick` s of the forces the one at full steps.
@@ -159,8 +150,7 @@ impl MovingObject {
 
     /// How far in front of where it is its surface may yet swing, m.
     pub fn swing(&self) -> f64 {
-        let apart = (self.speed[1] - self.speed[0]).norm();
-        self.spring.map_or(0.0, |(law, _)| law.swing(self.mass, apart, self.squeezed()))
+        self.core.swing((self.speed[1] - self.speed[0]).norm(), self.squeezed())
     }
 
     /// kg m/s.
@@ -191,11 +181,11 @@ impl MovingObject {
     }
 }
 
-/// How far along its way the object's middle or face comes before it touches a ball around `at` of
-/// radius `inflated`, in m, flying through `passes`; none if it goes by.
+/// How far along its line the middle or face of an object comes before it touches a ball `at` some
+/// place of radius `inflated`, in m; none if it goes by.
 pub(crate) fn touches(
     outline: ObjectOutline,
-    (way, passes): (Vector, Vector),
+    (way, passes): Line,
     at: Vector,
     inflated: f64,
 ) -> Option<f64> {
@@ -214,18 +204,12 @@ pub(crate) fn touches(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::axisymmetric::{forces::object::ObjectSurface, forces_tests::sphere};
 
     #[test]
     fn an_object_touches_where_its_depth_begins() {
-        use crate::models::axisymmetric::forces::object::ObjectSurface;
         for outline in [ObjectOutline::Sphere(5e-3), ObjectOutline::Cylinder(5e-3, 1e-3)] {
-            let object = Object {
-                outline,
-                mass: 1e-3,
-                speed: 10.0,
-                surface: ObjectSurface::RIGID,
-                spring: None,
-            };
+            let object = Object { outline, ..sphere(ObjectSurface::RIGID) };
             for aside in [0.0, 2e-3, 4.5e-3] {
                 let at = Vector::new(-12e-3, aside, 0.0);
                 let line = (Vector::x(), Vector::zeros());

@@ -1,12 +1,12 @@
 //! The cells one by one: the tested reference of [`super::rows`] and the baseline of its speed.
 
 use crate::models::axisymmetric::forces::state::CellSums;
+use crate::models::spatial::eye::{SpatialEye, Tissue};
 use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
 use crate::models::spatial::forces::state::{Cells, NodeState};
-use crate::models::spatial::{eye::SpatialEye, forces::math::Plain, recording::sensor};
+use crate::models::spatial::{forces::math::Plain, recording::sensor};
 
 /// Cells with lists of corners.
-#[derive(Debug, Clone)]
 pub(crate) struct PlainCells {
     cells: Vec<(Constants, [usize; 8])>,
     pressures: Vec<f64>,
@@ -19,18 +19,13 @@ fn gathered(of: &[Vec<f64>; 3], corners: &[usize; 8]) -> Eight<f64> {
 
 /// The constants of all cells of an eye, in order.
 pub(crate) fn constants(eye: &SpatialEye) -> Vec<Constants> {
-    let weights = sensor::weights(eye);
-    eye.cells
-        .iter()
-        .zip(weights)
-        .map(|(cell, weights)| {
-            let mut constants = cell::constants(eye, cell);
-            constants[field::MEAN] = weights.mean;
-            constants[field::SENSOR] = weights.sensor;
-            constants[field::GLOBE] = weights.globe;
-            constants
-        })
-        .collect()
+    let cells = eye.cells.iter().zip(sensor::weights(eye)).map(|(cell, weights)| {
+        let mut constants = cell::constants(eye, cell);
+        (constants[field::MEAN], constants[field::SENSOR]) = weights;
+        constants[field::GLOBE] = f64::from(cell.region == Tissue::Globe);
+        constants
+    });
+    cells.collect()
 }
 
 impl PlainCells {
@@ -42,9 +37,8 @@ impl PlainCells {
 
     /// Elastic energy of what is computed, J.
     pub fn energy(&self, state: &NodeState) -> f64 {
-        let stored =
-            |(c, corners): &(Constants, [usize; 8])| cell::energy(c, &gathered(&state.at, corners));
-        self.cells.iter().map(stored).sum()
+        let stored = self.cells.iter();
+        stored.map(|(c, corners)| cell::energy(c, &gathered(&state.at, corners))).sum()
     }
 
     /// The least corner of a cell over its volume at rest.
@@ -56,14 +50,7 @@ impl PlainCells {
 
 impl Cells for PlainCells {
     fn forces(&mut self, state: &mut NodeState) -> CellSums {
-        let mut sums = CellSums {
-            limit: 0.0,
-            loss: 0.0,
-            pressure: 0.0,
-            sensor: 0.0,
-            volume: 0.0,
-            least_corner: f64::INFINITY,
-        };
+        let mut sums = CellSums { least_corner: f64::INFINITY, ..CellSums::default() };
         let mut rate = 0.0_f64;
         for ((c, corners), pressure) in self.cells.iter().zip(&mut self.pressures) {
             let (at, speed) = (gathered(&state.at, corners), gathered(&state.speed, corners));

@@ -5,11 +5,7 @@
 //! another by a list. A place of the last group that has no cell stands for the last one, with no
 //! stiffness.
 
-#![allow(
-    clippy::inline_always,
-    clippy::needless_range_loop,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
+#![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
 use crate::models::axisymmetric::forces::state::{CellSums, Totals};
 use crate::models::paper::forces::aligned::Aligned;
@@ -30,7 +26,6 @@ enum CornerNodes {
 }
 
 /// Eight cells.
-#[derive(Debug, Clone, Copy)]
 struct Group {
     corners: [CornerNodes; 8],
     /// How many of them are cells.
@@ -38,7 +33,6 @@ struct Group {
 }
 
 /// The cells of an eye in groups.
-#[derive(Debug, Clone)]
 pub(crate) struct CellRows {
     groups: Vec<Group>,
     /// Group by group, by [`field`].

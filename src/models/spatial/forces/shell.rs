@@ -13,12 +13,9 @@
 //! edge, h the distance of the middles and D = E t^3/12 (1 - nu^2). At a mirror the other quad is
 //! the image of the first. Left out: shear across the thickness.
 
-#![allow(
-    clippy::inline_always,
-    clippy::needless_range_loop,
-    reason = "what is called within a vector dispatch must be compiled for its instructions"
-)]
+#![allow(clippy::needless_range_loop, reason = "corners, components and lanes go together")]
 
+use crate::models::axisymmetric::forces::shell::ENTRAINED;
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::eye::{SpatialEye, area, upon};
 use crate::models::spatial::forces::hinge::Hinges;
@@ -29,9 +26,6 @@ use crate::models::spatial::forces::state::NodeState;
 use fearless_simd::{Level, Simd, dispatch};
 use nalgebra::{Matrix2, Vector3};
 
-/// Share of the mass of the cells beside the shell that moves with it, per length of a quad: the
-/// bound of the step counts on it.
-const ENTRAINED: f64 = 0.2;
 /// Courant number of the shell over that of the cells. Its nodes carry cells, too: with 0.96 it would
 /// be the longest stable step of a whole eye at rest.
 const COURANT: f64 = 0.7;
@@ -50,7 +44,6 @@ struct Metric {
 }
 
 /// Eight quads.
-#[derive(Debug, Clone, Copy)]
 struct Group {
     corners: [[u32; LANES]; 4],
     /// The middle, then the corners.
@@ -61,7 +54,6 @@ struct Group {
 }
 
 /// Cornea and sclera.
-#[derive(Debug, Clone)]
 pub(crate) struct Shell {
     groups: Vec<Group>,
     hinges: Hinges,
@@ -76,8 +68,7 @@ pub(crate) struct Shell {
     pub limit: f64,
 }
 
-/// Unit vectors along the meridian, away from the front, and around the axis, in the plane of two
-/// edges.
+/// Unit vectors along the meridian to the back, and around the axis, in the plane of two edges.
 fn directions(at: Vector3<f64>, edges: [Vector3<f64>; 2]) -> [Vector3<f64>; 2] {
     let normal = edges[0].cross(&edges[1]).normalize();
     let back = Vector3::x();

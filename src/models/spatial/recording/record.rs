@@ -3,10 +3,9 @@
 
 use crate::models::axisymmetric::recording::account::{Account, Flight, NODE_MASS, Recorded};
 use crate::models::axisymmetric::recording::sensor::SMOOTHING_S;
+use crate::models::spatial::recording::section::Section;
 use crate::models::spatial::time::run::{Instant, Motion};
-use crate::models::spatial::{eye::mesh::Place, recording::section::Section};
 use crate::run::kept::{Frame, FrontFrame};
-use crate::run::places::Region;
 use nalgebra::{Point2, Vector3};
 use std::f64::consts::PI;
 
@@ -33,16 +32,14 @@ impl Recorded for Motion<'_> {
                 self.extremes.stress_at = self.eye.quads[i].seen;
             }
         }
-        let radius = (now.touch.area / PI).sqrt();
-        e.contact_radius = e.contact_radius.max(radius);
-        if now.touch.used_up >= 1.0 {
-            e.crushed_at.get_or_insert(time);
-        }
+        e.contact_radius = e.contact_radius.max((now.touch.area / PI).sqrt());
+        let mut used_up = now.touch.used_up;
         if let Some(push) = &now.push {
             e.rim_force.offer(push.force.norm(), time);
-            if push.used_up >= 1.0 {
-                e.crushed_at.get_or_insert(time);
-            }
+            used_up = used_up.max(push.used_up);
+        }
+        if used_up >= 1.0 {
+            e.crushed_at.get_or_insert(time);
         }
         self.account.stress = stress;
         let moving = &self.flying.moving;
@@ -51,8 +48,7 @@ impl Recorded for Motion<'_> {
         let intrusion = self.flying.intrusion(&self.way);
         self.account.read_object(energy, between, intrusion, time);
         if let Some(held) = &now.held {
-            let force = self.eye.copies() * held.force;
-            self.extremes.globe_on_bone.offer(force, time);
+            self.extremes.globe_on_bone.offer(self.eye.copies() * held.force, time);
         }
         for (i, dented) in self.dented.iter_mut().enumerate() {
             *dented = self.near_entry[i] && self.target.touched[i];
@@ -80,14 +76,9 @@ impl Recorded for Motion<'_> {
                 let cell = &eye.cells[cell];
                 let sum: Vector3<f64> = cell.corners.iter().map(|n| eye.mesh.at[*n]).sum();
                 let middle = sum / 8.0;
-                let part = match cell.place {
-                    Place::Surround => Region::Fat,
-                    Place::Globe if cell.lens > 0.0 => Region::Lens,
-                    Place::Globe => Region::Interior,
-                };
                 let side = if middle.y < 0.0 { -1.0 } else { 1.0 };
                 let across = side * libm::hypot(middle.y, middle.z);
-                (Point2::new(middle.x, across), part)
+                (Point2::new(middle.x, across), cell.part())
             },
         );
         let accelerations = self.accelerometers.read(&self.state.speed, time - 0.5 * step);
@@ -100,11 +91,13 @@ impl Recorded for Motion<'_> {
     }
 
     fn balance(&mut self, now: &Instant, kick: f64) {
-        let (state, copies) = (&self.state, self.eye.copies());
+        let (state, copies, moving) = (&self.state, self.eye.copies(), &self.flying.moving);
         let stored = self.balance.energy(state) + now.shell;
-        self.account.energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
-        self.account.energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
-        self.account.energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
+        let energy = &mut self.account.energy;
+        energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
+        energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
+        energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
+        energy.object = moving.kinetic(kick) + moving.stored();
         let kinetic = |node: usize| -> f64 {
             let of = |k: usize| {
                 let speed = state.speed[k][node];
@@ -112,9 +105,7 @@ impl Recorded for Motion<'_> {
             };
             0.5 * self.eye.mass[node] * (of(0) + of(1) + of(2))
         };
-        self.account.energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
-        let moving = &self.flying.moving;
-        self.account.energy.object = moving.kinetic(kick) + moving.stored();
+        energy.kinetic = copies * (0..self.eye.mass.len()).map(kinetic).sum::<f64>();
         let flown = self.flown(kick);
         self.account.impart(self.account.given(), flown);
     }
@@ -135,11 +126,8 @@ impl Recorded for Motion<'_> {
         let Some((section, mut due)) = self.frames_due.take() else {
             return Vec::new();
         };
-        let frames = due.take(
-            (time, step),
-            || self.velocities(&section),
-            |due, before| self.frame(&section, due, time - due, before),
-        );
+        let frame = |due, before: &[_]| self.frame(&section, due, time - due, before);
+        let frames = due.take((time, step), || self.velocities(&section), frame);
         self.frames_due = Some((section, due));
         frames
     }
@@ -150,8 +138,7 @@ impl Motion<'_> {
         self.account.read_shape(&self.shapes.read(&self.state.at), time);
     }
 
-    /// The energy of an eye that nothing holds as it flies as a whole, J, where forces act for
-    /// `kick` s.
+    /// The energy of flight as a whole, J, of an eye that nothing holds; forces act for `kick` s.
     fn flown(&self, kick: f64) -> f64 {
         if self.eye.parameters.surround.is_some() {
             return 0.0;
@@ -189,6 +176,7 @@ impl Motion<'_> {
         let velocities = self.velocities(section);
         let points = section.points.iter().zip(&velocities);
         let position = |at: Vector3<f64>, speed: Vector3<f64>| section.shown(at - speed * back);
+        let positions = points.map(|(shown, v)| position(shown.point.of(&self.state.at), *v));
         let forces = velocities.iter().enumerate().map(|(i, speed)| {
             let earlier = before.get(i).copied().unwrap_or_default();
             NODE_MASS * (speed - earlier).norm() / SMOOTHING_S
@@ -197,9 +185,7 @@ impl Motion<'_> {
         let moving = &self.flying.moving;
         Frame {
             time: due,
-            positions: points
-                .map(|(shown, speed)| position(shown.point.of(&self.state.at), *speed))
-                .collect(),
+            positions: positions.collect(),
             forces: forces.collect(),
             cells: section.cells.iter().map(|(_, cell)| pressures[*cell]).collect(),
             projectile: Some(position(moving.middle(), moving.velocity())),
@@ -212,11 +198,11 @@ impl Motion<'_> {
     /// The eye from the front, `back` s before now.
     fn front(&self, section: &Section, back: f64) -> FrontFrame {
         let seen = |at: Vector3<f64>, speed: Vector3<f64>| section.facing(at - speed * back);
-        let [limbus, equator] = section.rings.each_ref().map(|ring| {
-            let (at, speed) = (&self.state.at, &self.state.speed);
-            let points = ring.iter().map(|point| seen(point.of(at), point.of(speed)));
-            points.collect()
-        });
+        let (at, speed) = (&self.state.at, &self.state.speed);
+        let [limbus, equator] = section
+            .rings
+            .each_ref()
+            .map(|ring| ring.iter().map(|point| seen(point.of(at), point.of(speed))).collect());
         let moving = &self.flying.moving;
         FrontFrame { limbus, equator, object: seen(moving.middle(), moving.velocity()) }
     }

@@ -1,15 +1,14 @@
 //! What a run leaves: extremes over every step, and its balance of energy.
 
 use crate::models::axisymmetric::recording::results as axisymmetric;
-use crate::run::kept::{Frame, Peak, Traces};
+use crate::run::kept::Peak;
 use crate::run::sectors::Sectors;
 use nalgebra::Vector3;
 
 /// Largest values over every step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extremes {
-    /// What every eye of cells has: lengths and ways along the blow, pressures, measures of tissues
-    /// at their largest over the azimuth.
+    /// What every eye of cells has, measures of tissues at their largest over the azimuth.
     pub common: axisymmetric::Extremes,
     /// Measures of tissues by clock hour.
     pub sectors: Sectors,
@@ -33,25 +32,5 @@ pub struct Extremes {
     pub globe_on_bone: Peak,
 }
 
-/// What the engine gives of one run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EngineRun {
-    /// Largest values over every step.
-    pub extremes: Extremes,
-    /// Traces, if they were asked for.
-    pub traces: Option<Traces>,
-    /// Frames, if they were asked for.
-    pub frames: Vec<Frame>,
-    /// Energies at the end.
-    pub energy: axisymmetric::Energy,
-    /// Momentum of eye and object at the end, kg m/s.
-    pub momentum: Vector3<f64>,
-    /// Their angular momentum about the middle of the globe at rest, kg m2/s.
-    pub angular_momentum: Vector3<f64>,
-    /// Steps taken.
-    pub steps: usize,
-    /// Simulated time, s.
-    pub simulated: f64,
-    /// Whether the run ended before its window because nothing had grown for long.
-    pub settled: bool,
-}
+/// That of one run, with the angular momentum about the middle of the globe at rest, kg m2/s.
+pub type EngineRun = axisymmetric::EngineRun<Extremes, [Vector3<f64>; 2]>;

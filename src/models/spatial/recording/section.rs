@@ -6,7 +6,7 @@
 //! lies flat.
 
 use crate::models::axisymmetric::eye::mesh::{self as plane_mesh, Layers};
-use crate::models::spatial::eye::orbit::{Cavity, Orbit, Round};
+use crate::models::spatial::eye::orbit::Cavity;
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::{eye::SpatialEye, eye::mesh::Place, forces::object::towards};
 use crate::models::spatial::{recording::sensor::monitored, time::run::SpatialBlow};
@@ -159,15 +159,9 @@ impl Section {
 
     /// What holds the globe on one side.
     fn put_around(&mut self, eye: &SpatialEye, nodes: &Nodes, azimuth: f64, side: usize) {
-        let (parameters, radius) = (&eye.parameters, eye.parameters.radius);
-        let Some(surround) = &parameters.surround else {
+        let (rim, radius) = (eye.rim.filter(|rim| !rim.is_round()), eye.parameters.radius);
+        let Some(cavity) = Cavity::new(&eye.parameters, rim) else {
             return;
-        };
-        let round = Round { wall: surround.wall, opening: surround.opening };
-        let orbit = eye.rim.map(|rim| Orbit { rim, wall: surround.wall, radius });
-        let cavity: &dyn Cavity = match &orbit {
-            Some(orbit) if !orbit.rim.is_round() => orbit,
-            _ => &round,
         };
         let out = towards(azimuth);
         let direction = |front: f64| direction(front, out);

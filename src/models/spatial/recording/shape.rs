@@ -6,8 +6,9 @@
 //! is the same as there.
 
 use crate::models::axisymmetric::recording::account::Shape;
+use crate::models::spatial::eye::SpatialEye;
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::{eye::SpatialEye, forces::object::towards};
+use crate::models::spatial::forces::{object::towards, state::vector};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
 
@@ -19,7 +20,6 @@ const DIRECTIONS: usize = 8;
 const STEPS: usize = 12;
 
 /// What the shape is read with.
-#[derive(Debug, Clone)]
 pub(crate) struct Shapes {
     way: Vector3<f64>,
     /// Front pole of the eye, and both poles along the way.
@@ -34,13 +34,13 @@ pub(crate) struct Shapes {
     /// Whether nothing holds the eye.
     free: bool,
     mirrored: bool,
-    rest: Rest,
+    rest: Measures,
     at: Vec<Vector3<f64>>,
 }
 
-/// At rest.
+/// What a shape is told by: lengths and places, in m.
 #[derive(Debug, Clone, Copy, Default)]
-struct Rest {
+struct Measures {
     length: f64,
     meridian: f64,
     width: f64,
@@ -84,36 +84,32 @@ impl Shapes {
             lens: lens.into_iter().map(|(node, m)| (node, m / total)).collect(),
             free: eye.parameters.surround.is_none(),
             mirrored: eye.copies() > 1.0,
-            rest: Rest::default(),
+            rest: Measures::default(),
             at: eye.mesh.at.clone(),
         };
-        shapes.rest = Rest {
-            length: shapes.length(at),
-            meridian: shapes.meridian(at),
-            width: shapes.width(at),
-            apex: shapes.apex(at),
-            lens: shapes.lens(at),
-            middle: shapes.middle(at),
-        };
+        shapes.rest = shapes.measures(at);
         shapes
     }
 
-    fn length(&self, at: &Nodes) -> f64 {
-        match &self.poles {
-            [Some(front), Some(back)] => (back.of(at) - front.of(at)).dot(&self.way),
-            _ => 0.0,
-        }
-    }
-
-    fn meridian(&self, at: &Nodes) -> f64 {
-        let mut sum = 0.0;
+    fn measures(&self, at: &Nodes) -> Measures {
+        let mut meridian = 0.0;
         let mut before = self.meridian.last().map_or(Vector3::zeros(), |p| p.of(at));
         for point in &self.meridian {
             let here = point.of(at);
-            sum += (here - before).norm();
+            meridian += (here - before).norm();
             before = here;
         }
-        sum
+        Measures {
+            length: match &self.poles {
+                [Some(front), Some(back)] => (back.of(at) - front.of(at)).dot(&self.way),
+                _ => 0.0,
+            },
+            meridian,
+            width: self.width(at),
+            apex: self.apex.as_ref().map_or(Vector3::zeros(), |p| p.of(at)),
+            lens: self.lens.iter().map(|&(node, share)| vector(at, node) * share).sum(),
+            middle: self.middle(at),
+        }
     }
 
     fn width(&self, at: &Nodes) -> f64 {
@@ -136,22 +132,11 @@ impl Shapes {
         widest
     }
 
-    fn apex(&self, at: &Nodes) -> Vector3<f64> {
-        self.apex.as_ref().map_or(Vector3::zeros(), |p| p.of(at))
-    }
-
-    fn lens(&self, at: &Nodes) -> Vector3<f64> {
-        let of = |&(node, share): &(usize, f64)| {
-            Vector3::new(at[0][node], at[1][node], at[2][node]) * share
-        };
-        self.lens.iter().map(of).sum()
-    }
-
     /// Middle of the shell's mass.
     pub fn middle(&self, at: &Nodes) -> Vector3<f64> {
         let (mut sum, mut whole) = (Vector3::zeros(), 0.0);
         for &(node, mass) in &self.shell {
-            sum += Vector3::new(at[0][node], at[1][node], at[2][node]) * mass;
+            sum += vector(at, node) * mass;
             whole += mass;
         }
         if self.mirrored {
@@ -162,24 +147,24 @@ impl Shapes {
 
     /// How the shape is now.
     pub fn read(&self, at: &Nodes) -> Shape {
+        let (now, rest) = (self.measures(at), &self.rest);
         // No part of an eye that nothing holds feels how it flies as a whole.
-        let way = if self.free { self.middle(at) - self.rest.middle } else { Vector3::zeros() };
+        let way = if self.free { now.middle - rest.middle } else { Vector3::zeros() };
         Shape {
-            shortening: 1.0 - self.length(at) / self.rest.length,
-            width_growth: self.width(at) / self.rest.width - 1.0,
-            shell_growth: self.meridian(at) / self.rest.meridian - 1.0,
-            apex: (self.apex(at) - self.rest.apex - way).dot(&self.way),
-            lens: (self.lens(at) - self.rest.lens - way).dot(&self.way),
+            shortening: 1.0 - now.length / rest.length,
+            width_growth: now.width / rest.width - 1.0,
+            shell_growth: now.meridian / rest.meridian - 1.0,
+            apex: (now.apex - rest.apex - way).dot(&self.way),
+            lens: (now.lens - rest.lens - way).dot(&self.way),
         }
     }
 
-    /// Way of the globe's middle, m, and the angle by which it has turned, rad: that of the turn
-    /// nearest to how the shell's places have changed.
+    /// Way of the globe's middle, m, and the angle of the turn nearest to how its shell moved, rad.
     pub fn moved(&self, at: &Nodes) -> (Vector3<f64>, f64) {
         let middle = self.middle(at);
         let mut sum = Matrix3::zeros();
         for &(node, mass) in &self.shell {
-            let now = Vector3::new(at[0][node], at[1][node], at[2][node]) - middle;
+            let now = vector(at, node) - middle;
             sum += (now * mass) * (self.at[node] - self.rest.middle).transpose();
         }
         if self.mirrored {
@@ -196,13 +181,8 @@ impl Shapes {
             }
         }
         let cosine = 0.5 * (turn.trace() - 1.0);
-        let sine = 0.5
-            * Vector3::new(
-                turn[(2, 1)] - turn[(1, 2)],
-                turn[(0, 2)] - turn[(2, 0)],
-                turn[(1, 0)] - turn[(0, 1)],
-            )
-            .norm();
+        let twice = [(2, 1), (0, 2), (1, 0)].map(|(i, k)| turn[(i, k)] - turn[(k, i)]);
+        let sine = 0.5 * Vector3::from(twice).norm();
         (middle - self.rest.middle, libm::atan2(sine, cosine))
     }
 

@@ -17,13 +17,13 @@
 //!
 //! Each goes through a low pass of 20 us. A rigid motion gives none of them anything.
 
-use crate::models::axisymmetric::recording::sensor::LowPass;
 use crate::models::axisymmetric::recording::tissue::{
     BACK_DEG, EDGE_DEG, EQUATOR_DEG, IRIS_DEG, LENS_EQUATOR,
 };
+use crate::models::axisymmetric::{eye::part, recording::sensor::LowPass};
 use crate::models::spatial::eye::mesh::{Extent, Place};
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::eye::{SpatialEye, upon};
+use crate::models::spatial::eye::{SpatialEye, area, upon};
 use crate::models::spatial::recording::results::Extremes;
 use crate::models::spatial::{eye::orbit::seen_from_the_middle, forces::object::towards};
 use crate::run::kept::Peak;
@@ -40,7 +40,6 @@ const POINTS: usize = 6;
 const READ: [[f64; 2]; 3] = [[0.63, 0.82], [0.78, 0.92], [0.85, 0.95]];
 
 /// A quad of the shell near the equator.
-#[derive(Debug, Clone, Copy)]
 struct EquatorQuad {
     quad: usize,
     /// How much of it lies within the band.
@@ -51,7 +50,6 @@ struct EquatorQuad {
 }
 
 /// How far the lens's equator is from where it is held.
-#[derive(Debug, Clone)]
 struct Held {
     lens: Point,
     shell: Point,
@@ -60,7 +58,6 @@ struct Held {
 }
 
 /// What the tissues of one eye are read with.
-#[derive(Debug, Clone)]
 pub(crate) struct Tissues {
     equator: Vec<EquatorQuad>,
     /// Quads with their weights in each quadrant.
@@ -77,8 +74,7 @@ pub(crate) struct Tissues {
     pub now: [f64; 5],
 }
 
-/// The number of the piece, of so many around the axis, that an azimuth lies in; the first one has
-/// azimuth `from` in its middle.
+/// The piece, `of` so many around the axis from one with `from` in its middle, of an azimuth.
 fn piece(azimuth: f64, from: f64, of: usize) -> usize {
     let turns = (azimuth - from) / TAU;
     ((turns * of as f64).round().rem_euclid(of as f64)) as usize % of
@@ -100,9 +96,9 @@ impl Tissues {
         let (mut equator, mut back) = (Vec::new(), Vec::new());
         for (number, quad) in eye.quads.iter().enumerate() {
             let p = quad.corners.map(|node| eye.mesh.at[node]);
-            let part = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+            let part = |i: usize| part(i % POINTS, POINTS);
             let points = (0..POINTS * POINTS)
-                .map(|i| seen_from_the_middle(upon(&p, part(i % POINTS), part(i / POINTS))));
+                .map(|i| seen_from_the_middle(upon(&p, part(i), part(i / POINTS))));
             let within = |front: f64, (from, to): (f64, f64)| {
                 (from.to_radians()..=to.to_radians()).contains(&front)
             };
@@ -111,14 +107,11 @@ impl Tissues {
             let share = banded.count() as f64 / count;
             let hour = |sign: f64| piece(sign * quad.seen.1 + up, 0.0, HOURS);
             if share > 0.0 {
-                equator.push(EquatorQuad {
-                    quad: number,
-                    share,
-                    hours: [hour(1.0), hour(*images.last().unwrap_or(&1.0))],
-                    passed: LowPass::default(),
-                });
+                let (hours, passed) =
+                    ([hour(1.0), hour(images[images.len() - 1])], LowPass::default());
+                equator.push(EquatorQuad { quad: number, share, hours, passed });
             }
-            let whole = crate::models::spatial::eye::area(&p) / count;
+            let whole = area(&p) / count;
             let mut weights = [0.0; QUADRANTS];
             for (_, azimuth) in points.filter(|(front, _)| within(*front, BACK_DEG)) {
                 for sign in images {
@@ -137,12 +130,11 @@ impl Tissues {
         }
         let count = HOURS * PIECES;
         let azimuth = |hour: f64| TAU * hour / HOURS as f64 - up;
-        let ring: Vec<Point> = (0..count)
-            .filter_map(|i| {
-                let hour = (i as f64) / PIECES as f64 - 0.5;
-                eye.on_shell(direction(EDGE_DEG, azimuth(hour)))
-            })
-            .collect();
+        let ring = (0..count).filter_map(|i| {
+            let hour = (i as f64) / PIECES as f64 - 0.5;
+            eye.on_shell(direction(EDGE_DEG, azimuth(hour)))
+        });
+        let ring: Vec<Point> = ring.collect();
         let ring_rest = lengths(&ring, at);
         let held = [EDGE_DEG, IRIS_DEG].map(|front| {
             let held = (0..HOURS).filter_map(|hour| {
@@ -151,12 +143,8 @@ impl Tissues {
                 let place = Vector3::x() * x + towards(azimuth) * r;
                 let (lens, _) = eye.at(place, Some(Place::Globe))?;
                 let shell = eye.on_shell(direction(front, azimuth))?;
-                Some(Held {
-                    rest: (shell.of(at) - lens.of(at)).norm(),
-                    lens,
-                    shell,
-                    passed: LowPass::default(),
-                })
+                let rest = (shell.of(at) - lens.of(at)).norm();
+                Some(Held { rest, lens, shell, passed: LowPass::default() })
             });
             held.collect()
         });
@@ -173,9 +161,8 @@ impl Tissues {
         }
     }
 
-    /// Reads them at `time`, in s, with the share of a low pass of the step before, and offers them
-    /// to their peaks and to the extremes. `along` is the stretch of each quad and `touched`
-    /// whether the object touches it.
+    /// Offers them to their peaks and to the extremes at `time`, in s; `share` is of a low pass,
+    /// `along` the stretch of each quad and `touched` whether the object touches it.
     pub fn read(
         &mut self,
         eye: &SpatialEye,
@@ -187,15 +174,13 @@ impl Tissues {
     ) {
         self.now = [0.0; 5];
         for quad in &mut self.equator {
-            let dented = touched[quad.quad];
             let passed = quad.passed.pass(along[quad.quad], share);
-            if dented {
+            if touched[quad.quad] {
                 continue;
             }
             let stretch = passed * quad.share;
-            self.now[0] = self.now[0].max(stretch);
             for hour in quad.hours {
-                e.sectors.equator[hour] = e.sectors.equator[hour].max(stretch);
+                felt(&mut self.now[0], &mut e.sectors.equator[hour], stretch);
             }
             if stretch > peaks[0].value {
                 peaks[0].offer(stretch, time);
@@ -205,8 +190,7 @@ impl Tissues {
         for quadrant in 0..QUADRANTS {
             let mean = self.back.iter().map(|(quad, w)| w[quadrant] * along[*quad]);
             let mean = self.back_passed[quadrant].pass(mean.sum(), share);
-            self.now[1] = self.now[1].max(mean);
-            e.sectors.back[quadrant] = e.sectors.back[quadrant].max(mean);
+            felt(&mut self.now[1], &mut e.sectors.back[quadrant], mean);
         }
         let mut before = self.ring.last().map_or(Vector3::zeros(), |p| p.of(at));
         let mut lengths = [0.0; HOURS * PIECES];
@@ -216,27 +200,30 @@ impl Tissues {
             before = here;
         }
         for hour in 0..HOURS {
-            let range = hour * PIECES..(hour + 1) * PIECES;
-            let now: f64 = lengths[range.clone()].iter().sum();
-            let rest: f64 = self.ring_rest[range].iter().sum();
-            let stretch = self.ring_passed[hour].pass(now / rest - 1.0, share);
-            self.now[2] = self.now[2].max(stretch);
-            e.sectors.edge[hour] = e.sectors.edge[hour].max(stretch);
+            let of = |lengths: &[f64]| -> f64 {
+                lengths[hour * PIECES..(hour + 1) * PIECES].iter().sum()
+            };
+            let grown = of(&lengths) / of(&self.ring_rest) - 1.0;
+            let stretch = self.ring_passed[hour].pass(grown, share);
+            felt(&mut self.now[2], &mut e.sectors.edge[hour], stretch);
         }
         for (which, held) in self.held.iter_mut().enumerate() {
             let to = if which == 0 { &mut e.sectors.lens } else { &mut e.sectors.iris };
             for (hour, held) in held.iter_mut().enumerate() {
                 let apart = (held.shell.of(at) - held.lens.of(at)).norm() - held.rest;
-                let apart = apart / self.read[which];
-                let pulled = held.passed.pass(apart, share);
-                self.now[3 + which] = self.now[3 + which].max(pulled);
-                to[hour] = to[hour].max(pulled);
+                let pulled = held.passed.pass(apart / self.read[which], share);
+                felt(&mut self.now[3 + which], &mut to[hour], pulled);
             }
         }
         for (peak, now) in peaks.iter_mut().zip(self.now).skip(1) {
             peak.offer(now, time);
         }
     }
+}
+
+/// Takes a value to the largest now and to that of its sector.
+fn felt(now: &mut f64, sector: &mut f64, value: f64) {
+    (*now, *sector) = (now.max(value), sector.max(value));
 }
 
 /// Lengths from each point of a closed ring to the next.

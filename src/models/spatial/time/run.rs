@@ -12,10 +12,9 @@ use crate::models::axisymmetric::time::until::Until;
 use crate::models::axisymmetric::{forces::state::CellSums, recording::account::Account};
 use crate::models::axisymmetric::{recording::sensor::LowPass, time::due::FramesDue};
 use crate::models::spatial::eye::{ShellQuad, SpatialEye};
-use crate::models::spatial::forces::bone::{Bone, Held};
 use crate::models::spatial::forces::contact::{Target, Touch, depth};
 use crate::models::spatial::forces::object::{Aim, MovingObject, touches};
-use crate::models::spatial::forces::rim::{Push, Rim};
+use crate::models::spatial::forces::rim::{Bone, Held, Push, Rim};
 use crate::models::spatial::forces::state::{Cells, NodeState, vector};
 use crate::models::spatial::forces::{plain::PlainCells, rows::CellRows, shell::Shell};
 use crate::models::spatial::recording::results::{EngineRun, Extremes};
@@ -387,8 +386,7 @@ impl Marching for Motion<'_> {
             traces: self.account.keep.traces.then_some(self.account.traces),
             frames: self.account.frames,
             energy: self.account.energy,
-            momentum,
-            angular_momentum: angular,
+            momentum: [momentum, angular],
             steps,
             simulated: time,
             settled,

@@ -24,20 +24,11 @@ fn idle_model() -> (App, (u64, RunSamples)) {
 }
 
 /// An ensemble of so many samples, unfinished or finished.
-fn tell(
-    app: &mut App,
-    (ticket, question): &(u64, RunSamples),
-    count: u32,
-    over: bool,
-) -> Vec<Effect> {
+fn sample(app: &mut App, (ticket, question): &(u64, RunSamples), count: u32, whole: bool) {
     let small = RunSamples { count, ..question.clone() };
     let mut outcome = small.answer(&mut unwatched).unwrap();
     outcome.asked = question.count;
-    if over {
-        done::<RunSamples>(app, *ticket, Ok(outcome))
-    } else {
-        so_far::<RunSamples>(app, *ticket, outcome)
-    }
+    tell::<RunSamples>(app, *ticket, outcome, whole);
 }
 
 #[test]
@@ -46,17 +37,17 @@ fn the_band_comes_when_idle_and_an_edit_stops_it() {
     assert_eq!(asked.1.count, FEW);
     let scenario = app.model.work.scenario.clone();
     assert!(app.model.ensemble.of(&scenario).is_none());
-    tell(&mut app, &asked, 8, false);
+    sample(&mut app, &asked, 8, false);
     assert!(app.model.ensemble.of(&scenario).is_none(), "too few to be shown");
-    tell(&mut app, &asked, 16, false);
+    sample(&mut app, &asked, 16, false);
     assert!(app.model.ensemble.of(&scenario).is_some());
     let renamed = Scenario { name: "other".to_owned(), ..scenario };
     assert!(app.model.ensemble.of(&renamed).is_some());
 
     let (mut app, asked) = idle_model();
-    let effects = letter(&mut app, 'l');
+    let effects = press(&mut app, "l");
     assert!(effects.contains(&Effect::Stop(asked.0)));
-    tell(&mut app, &asked, 16, false);
+    sample(&mut app, &asked, 16, false);
     assert!(app.model.ensemble.done.is_none(), "late news");
 }
 
@@ -67,18 +58,18 @@ fn idle_work_is_announced_and_a_key_stops_it() {
     let report = Report::progress(asked.0, 0.25, Duration::ZERO);
     update(&mut app, Message::News(report));
     assert_eq!(app.model.ahead().unwrap(), "64 of 256 samples");
-    assert_eq!(letter(&mut app, 'I'), [Effect::Stop(asked.0)]);
+    assert_eq!(press(&mut app, "I"), [Effect::Stop(asked.0)]);
     assert_eq!(app.model.ahead(), None);
-    let (ticket, question) = sampled(&letter(&mut app, 'I')).unwrap();
+    let (ticket, question) = sampled(&press(&mut app, "I")).unwrap();
     assert!(question.is_idle());
-    assert!(letter(&mut app, '2').contains(&Effect::Stop(ticket)));
+    assert!(press(&mut app, "\x1b2").contains(&Effect::Stop(ticket)));
 }
 
 #[test]
 fn the_screen_asks_for_more_and_goes_on_with_what_is_done() {
     let (mut app, asked) = idle_model();
-    tell(&mut app, &asked, 8, false);
-    let asked = sampled(&letter(&mut app, '6')).unwrap();
+    sample(&mut app, &asked, 8, false);
+    let asked = sampled(&press(&mut app, "\x1b6")).unwrap();
     assert_eq!(asked.1.count, MANY);
     assert!(!asked.1.is_idle() && asked.1.known.as_ref().unwrap().samples.len() == 8);
     let report = Report::progress(asked.0, 0.3, Duration::ZERO);
@@ -86,35 +77,35 @@ fn the_screen_asks_for_more_and_goes_on_with_what_is_done() {
     assert_eq!(app.model.ensemble.pace().unwrap(), "300 of 1000");
     let offered = |app: &App| footer_keys(app).iter().any(|(_, word)| *word == "go on");
     assert!(!offered(&app), "it runs");
-    assert_eq!(key(&mut app, KeyCode::Esc), [Effect::Stop(asked.0)]);
-    tell(&mut app, &asked, 32, true);
+    assert_eq!(press(&mut app, "\x1b"), [Effect::Stop(asked.0)]);
+    sample(&mut app, &asked, 32, true);
     assert!(offered(&app));
     let kept = app.model.ensemble.of(&app.model.work.scenario).unwrap();
     assert!(kept.stopped() && kept.samples.len() == 32 && kept.asked == MANY);
     assert!(app.model.ensemble.task.complaint.is_some());
-    assert!(letter(&mut app, '6').is_empty(), "only a key goes on");
-    let (_, again) = sampled(&letter(&mut app, 'm')).unwrap();
+    assert!(press(&mut app, "\x1b6").is_empty(), "only a key goes on");
+    let (_, again) = sampled(&press(&mut app, "m")).unwrap();
     assert_eq!(again.known.unwrap().samples.len(), 32);
-    assert!(letter(&mut app, 'm').is_empty(), "one at a time");
+    assert!(press(&mut app, "m").is_empty(), "one at a time");
 }
 
 #[test]
 fn leaving_the_screen_stops_it_and_results_can_be_walked_through() {
     let (mut app, _) = idle_model();
-    let asked = sampled(&letter(&mut app, '6')).unwrap();
-    assert_eq!(letter(&mut app, '2'), [Effect::Stop(asked.0)]);
-    let asked = sampled(&letter(&mut app, '6')).unwrap();
-    tell(&mut app, &asked, 16, false);
+    let asked = sampled(&press(&mut app, "\x1b6")).unwrap();
+    assert_eq!(press(&mut app, "\x1b2"), [Effect::Stop(asked.0)]);
+    let asked = sampled(&press(&mut app, "\x1b6")).unwrap();
+    sample(&mut app, &asked, 16, false);
     for _ in 0..20 {
-        letter(&mut app, 'j');
+        press(&mut app, "j");
     }
     let ensemble = app.model.ensemble.of(&app.model.work.scenario).unwrap();
     let last = ensemble.results().len() - 1;
     assert!(last >= 8, "all that a force pulse has");
     assert_eq!(app.state::<Doubt>().row, last);
-    letter(&mut app, 'k');
+    press(&mut app, "k");
     assert_eq!(app.state::<Doubt>().row, last - 1);
     app.model.work.scenario.window_ms = Some(0.3);
-    letter(&mut app, 'k');
+    press(&mut app, "k");
     assert_eq!(app.state::<Doubt>().row, last - 1, "nothing to walk through");
 }

@@ -21,8 +21,7 @@ const MIDDLE: (u16, u16) = (45, 16);
 
 #[test]
 fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     let effects = does(&mut app, Drag(Left), MIDDLE);
     assert_eq!(effects, [], "no button went down there");
     does(&mut app, Down(Left), (MIDDLE.0 - 8, MIDDLE.1));

@@ -35,10 +35,10 @@ fn asking(app: &App) -> &Asking {
 #[test]
 fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     let mut app = bb();
-    letter(&mut app, 't');
+    press(&mut app, "t");
     assert_eq!(asking(&app).quantity, Quantity::GlobeRupture);
     assert_eq!(asking(&app).input.value(), "50");
-    let effects = key(&mut app, KeyCode::Enter);
+    let effects = press(&mut app, "\r");
     let (ticket, question) = asked::<FindThreshold>(&effects).unwrap();
     let found = question.answer(&mut unwatched);
     done::<FindThreshold>(&mut app, ticket, found);
@@ -49,10 +49,10 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     assert!(text.contains("50 % at ") && text.contains(" to "), "{text}");
     let speed: f64 = asking(&app).taken().unwrap().parse().unwrap();
     assert!((40.0..80.0).contains(&speed), "{speed}");
-    key(&mut app, KeyCode::Enter);
+    press(&mut app, "\r");
     let speed_now = fields::find("impact.speed_m_s").unwrap().text(&app.model.work.scenario);
     assert_eq!(speed_now.unwrap().parse(), Ok(speed));
-    letter(&mut app, 'u');
+    press(&mut app, "u");
     let before = find("bb-56").unwrap().scenario().unwrap();
     assert_eq!(app.model.work.scenario, before);
 }
@@ -61,46 +61,46 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
 fn escape_stops_the_search_and_then_closes_and_nothing_is_taken() {
     let mut app = bb();
     let before = app.model.work.clone();
-    letter(&mut app, 't');
-    let effects = key(&mut app, KeyCode::Enter);
+    press(&mut app, "t");
+    let effects = press(&mut app, "\r");
     let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
     // What is asked stays as it is meanwhile.
-    key(&mut app, KeyCode::Char('7'));
-    key(&mut app, KeyCode::Down);
+    press(&mut app, "\x1b7");
+    press(&mut app, "\x1b[B");
     assert_eq!(asking(&app).input.value(), "50");
     // What is computed ahead may begin again beside it.
-    assert!(key(&mut app, KeyCode::Esc).contains(&Effect::Stop(ticket)));
+    assert!(press(&mut app, "\x1b").contains(&Effect::Stop(ticket)));
     assert!(asking(&app).task.job.is_none());
-    key(&mut app, KeyCode::Esc);
+    press(&mut app, "\x1b");
     assert!(app.model.overlay.is_none() && app.model.work == before);
 }
 
 #[test]
 fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
     let mut app = bb();
-    letter(&mut app, 't');
-    letter(&mut app, 'x');
-    key(&mut app, KeyCode::Enter);
+    press(&mut app, "t");
+    press(&mut app, "x");
+    press(&mut app, "\r");
     assert!(asking(&app).error.is_some() && asking(&app).task.job.is_none());
-    key(&mut app, KeyCode::Esc);
+    press(&mut app, "\x1b");
     app.model.form.selected = FormRow::Preset;
-    letter(&mut app, 't');
+    press(&mut app, "t");
     assert!(app.model.overlay.is_none() && app.model.notice.is_some());
     app.model.form.selected = row("impact.speed_m_s");
     app.model.shown = None;
-    letter(&mut app, 't');
+    press(&mut app, "t");
     assert!(app.model.overlay.is_none());
 }
 
 #[test]
 fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
     let mut app = bb();
-    letter(&mut app, 't');
+    press(&mut app, "t");
     for injury in Injury::ALL {
         assert_eq!(asking(&app).quantity, injury.result());
-        key(&mut app, KeyCode::Down);
+        press(&mut app, "\x1b[B");
     }
-    let effects = key(&mut app, KeyCode::Enter);
+    let effects = press(&mut app, "\r");
     let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
     let never = Threshold { seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))], crossings: Vec::new() };
     done::<FindThreshold>(&mut app, ticket, Ok(never));

@@ -1,22 +1,7 @@
 //! What typing a value does.
 
 use super::*;
-use crate::scenario::{Lens, Model, Species};
 use crate::tui::{form::rows, work::Work};
-
-#[test]
-fn typing_changes_nothing_until_it_is_accepted_and_escape_restores() {
-    let mut app = app();
-    answer(&mut app, 1);
-    for typed in ["\r\x1545", "-"] {
-        assert!(asked::<Simulate>(&press(&mut app, typed)).is_none());
-        assert_eq!((force(&app), app.model.stale()), (300.0, None));
-    }
-    assert!(wrong(&app).contains("allowed"));
-    press(&mut app, "\x1b");
-    assert!(app.model.form.typing.is_none());
-    assert_eq!((force(&app), app.model.history.depth()), (300.0, (0, 0)));
-}
 
 #[test]
 fn arrows_tab_and_function_keys_accept_what_a_digit_began() {
@@ -53,12 +38,10 @@ fn arrows_tab_and_function_keys_accept_what_a_digit_began() {
 #[test]
 fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
     let mut app = app();
-    press(&mut app, "\r45\r");
-    assert_eq!(force(&app), 45.0);
-    press(&mut app, "\r\x1b[D6\r");
-    assert_eq!(force(&app), 465.0);
-    press(&mut app, "\r +- 5\r");
-    assert_eq!(force(&app), 465.0);
+    for (keys, value) in [("\r45\r", 45.0), ("\r\x1b[D6\r", 465.0), ("\r +- 5\r", 465.0)] {
+        press(&mut app, keys);
+        assert_eq!(force(&app), value);
+    }
     assert_eq!(app.model.work.scenario.doubt["impact.force_n"], 5.0);
     press(&mut app, "\r\x1b[200~75\x1b[201~\r");
     assert_eq!(force(&app), 75.0);
@@ -69,11 +52,10 @@ fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
 
 #[test]
 fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
-    let mut app = app();
-    answer(&mut app, 1);
+    let mut app = answered();
     let effects = press(&mut app, "\r\x1545\r");
-    let (ticket, _) = asked::<Simulate>(&effects).unwrap();
-    answer(&mut app, ticket);
+    assert!(asked::<Simulate>(&effects).is_some());
+    answer_running(&mut app);
     press(&mut app, "\r");
     for typed in [" ", "+", "-", " ", "5"] {
         let effects = press(&mut app, typed);
@@ -133,18 +115,6 @@ fn enter_takes_the_next_of_a_few_choices() {
 }
 
 #[test]
-fn enter_on_a_bad_value_stays_and_on_a_good_one_is_one_undo() {
-    let mut app = app();
-    press(&mut app, "\r\x15-1\r");
-    assert!(app.model.form.typing.is_some());
-    press(&mut app, "\x15450\r");
-    assert!(app.model.form.typing.is_none());
-    assert_eq!(app.model.history.depth(), (1, 0));
-    press(&mut app, "u");
-    assert_eq!(force(&app), 300.0);
-}
-
-#[test]
 fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
     let mut app = app();
     press(&mut app, "7");
@@ -166,48 +136,46 @@ fn a_letter_is_no_part_of_a_number_and_is_refused_in_words() {
 fn what_the_form_shows_can_be_typed() {
     let mut app = app();
     press(&mut app, "a");
-    app.model.form.selected = row("window_ms");
-    press(&mut app, "4\r");
-    assert_eq!(app.model.work.scenario.window_ms, Some(4.0));
-    press(&mut app, "\r\x15auto\r");
-    assert_eq!(app.model.work.scenario.window_ms, None);
+    for (path, keys, text) in [
+        ("window_ms", "4\r", "4"),
+        ("window_ms", "\r\x15auto\r", "Auto"),
+        ("numerics.step_us", "2\r", "2"),
+        ("numerics.step_us", "\r\x15Auto\r", "Auto"),
+        ("eye.lens", "\x1b[200~soft\x1b[201~\r", "Soft"),
+        ("model", "\x1b[200~physiological\x1b[201~\r", "Physiological"),
+        ("model.species", "\x1b[200~pig\x1b[201~\r", "Pig"),
+    ] {
+        app.model.form.selected = row(path);
+        press(&mut app, keys);
+        let field = fields::find(path).unwrap();
+        assert_eq!(field.text(&app.model.work.scenario).unwrap(), text, "{path}");
+    }
     app.model.form.selected = row("numerics.step_us");
-    press(&mut app, "2\r");
-    assert_eq!(app.model.work.scenario.numerics.step_us, Some(2.0));
-    press(&mut app, "\r\x15Auto\r");
-    assert_eq!(app.model.work.scenario.numerics.step_us, None);
     press(&mut app, "\r");
     assert_eq!(typing(&app).input.value(), "auto");
     press(&mut app, "\x150");
     assert!(wrong(&app).contains("allowed auto, or"));
-    press(&mut app, "\x15auto");
-    press(&mut app, "\r");
-    app.model.form.selected = row("eye.lens");
-    press(&mut app, "\x1b[200~soft\x1b[201~\r");
-    assert_eq!(app.model.work.scenario.eye.lens, Lens::Soft);
-    app.model.form.selected = row("model");
-    press(&mut app, "\x1b[200~physiological\x1b[201~\r");
-    app.model.form.selected = row("model.species");
-    press(&mut app, "\x1b[200~pig\x1b[201~\r");
-    let Model::Physiological(parts) = &app.model.work.scenario.model else { panic!() };
-    assert_eq!(parts.species, Species::Pig);
 }
 
 #[test]
-fn a_digit_begins_a_value_where_a_number_is_wanted() {
-    let mut app = app();
-    press(&mut app, "450");
-    assert_eq!((force(&app), app.screen), (300.0, 0));
-    assert!(app.model.form.typing.is_some());
-    press(&mut app, "\x1b");
+fn what_is_typed_changes_nothing_until_it_is_accepted_and_escape_restores() {
+    let mut app = answered();
+    // A digit begins a value where a number is wanted, Enter everywhere.
+    for (keys, is_wrong) in [("450", false), ("-7\r", true), ("\r\x1545-", true)] {
+        assert!(asked::<Simulate>(&press(&mut app, keys)).is_none());
+        assert_eq!((force(&app), app.model.stale(), app.screen), (300.0, None, 0));
+        assert_eq!(typing(&app).error.is_some(), is_wrong, "{keys}");
+        press(&mut app, "\x1b");
+        assert!(app.model.form.typing.is_none());
+    }
+    assert_eq!((force(&app), app.model.history.depth()), (300.0, (0, 0)));
     press(&mut app, "25\r");
     assert_eq!((force(&app), app.model.history.depth()), (25.0, (1, 0)));
     press(&mut app, "u.5\r");
     assert_eq!(force(&app), 0.5);
-    // A force below nothing is explained, and the value before stays; Enter takes none of it.
+    // A force below nothing is explained; Enter takes none of it.
     press(&mut app, "-7\r");
     assert!(wrong(&app).contains("allowed"));
-    assert_eq!((force(&app), app.model.stale()), (0.5, None));
     press(&mut app, "\x1b\x1b[200~75\x1b[201~\r");
     assert_eq!(force(&app), 75.0);
 }

@@ -1,5 +1,7 @@
 //! A logarithmic axis: where a value lies on it, and which values are labelled.
 
+use crate::tui::view::chart;
+
 /// Fewer ticks than so many tell nothing of an axis.
 const FEW: usize = 3;
 
@@ -15,14 +17,9 @@ pub struct LogAxis {
 impl LogAxis {
     /// Wide enough for all values, with a margin.
     pub fn over(values: impl Iterator<Item = f64>) -> Self {
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for value in values.filter(|v| v.is_finite() && *v > 0.0) {
-            low = low.min(value.log10());
-            high = high.max(value.log10());
-        }
-        if low > high {
-            (low, high) = (0.0, 1.0);
-        }
+        let logs = values.filter(|v| v.is_finite() && *v > 0.0).map(|v| (v.log10(), v.log10()));
+        let ends = logs.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let (low, high) = ends.unwrap_or((0.0, 1.0));
         let margin = (0.04 * (high - low)).max(0.05);
         Self { low: low - margin, high: high + margin }
     }
@@ -52,33 +49,19 @@ impl LogAxis {
         if let Some(ticks) = enough.next().or(fitting.last()) {
             return ticks.clone();
         }
-        let mut apart = 1;
-        loop {
-            let ticks: Vec<f64> = (first..=last)
-                .filter(|n| n.rem_euclid(apart) == 0)
-                .map(|n| 10f64.powi(n))
-                .filter(within)
-                .collect();
-            if ticks.len() <= most.max(1) {
-                return ticks;
-            }
-            apart += 1;
-        }
+        // Powers of ten, with as many left out between two as it takes.
+        let decades = |apart: i32| {
+            let some = (first..=last).filter(|n| n.rem_euclid(apart) == 0);
+            some.map(|n| 10f64.powi(n)).filter(within).collect::<Vec<f64>>()
+        };
+        let mut ever_fewer = (1..).map(decades);
+        ever_fewer.find(|ticks| ticks.len() <= most.max(1)).unwrap_or_default()
     }
 }
 
 /// A tick's number, which has one digit or two.
 pub fn tick_label(value: f64) -> String {
-    if !(0.99e-3..1e6).contains(&value) {
-        return format!("{value:.0e}");
-    }
-    let digits = (1.0 - value.log10() - 1e-9).ceil().max(0.0) as usize;
-    let text = format!("{value:.digits$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
+    if (0.99e-3..1e6).contains(&value) { chart::tick_label(value) } else { format!("{value:.0e}") }
 }
 
 #[cfg(test)]

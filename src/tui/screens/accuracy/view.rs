@@ -4,7 +4,9 @@
 //! rows, as the mesh errors are mostly the larger by far. So the picture is legible without
 //! colours, which tell the level.
 
-use ratatui::style::{Modifier, Style};
+use std::iter;
+
+use ratatui::style::Modifier;
 
 use crate::many::accuracy::{Accuracy, ROUNDS, TOLERANCES, Total, cheapest};
 use crate::report::format::{digits, percent, significant};
@@ -12,9 +14,8 @@ use crate::run::quantity::Quantity;
 use crate::scenario::Integrator;
 use crate::tui::screens::accuracy::log_axis::{LogAxis, tick_label};
 use crate::tui::view::raster::{Ink, Raster};
-use crate::tui::view::text::{flowed, wrapped};
-use crate::tui::view::{sheet::Sheet, theme::Theme};
-use crate::tui::{model::AppModel, screens::accuracy::measurement::Measurement, view::chart::axes};
+use crate::tui::{model::AppModel, screens::accuracy::Measurement, view::chart::axes};
+use crate::tui::{screens::screen::state_of_work, view::sheet::Sheet, view::text::flowed};
 
 /// Room for the numbers of the error axis.
 const LABELS: u16 = 7;
@@ -23,18 +24,15 @@ const LEAST: (u16, u16) = (20, 4);
 /// Errors below this, in %, are drawn there: they are rounding.
 const FLOOR: f64 = 1e-9;
 
-fn style(theme: Theme, total: &Total) -> Style {
-    let own = if theme.is_mono() { theme.text() } else { theme.curve(total.level as usize - 1) };
-    if total.on_front { own.add_modifier(Modifier::BOLD) } else { own }
-}
-
-/// Draws the screen.
 pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let scenario = &model.work.scenario;
     let shown = accuracy.shown(scenario);
-    let (said, style) = status(accuracy, model, theme);
-    let of = accuracy.quantity(scenario).map_or("", Quantity::label);
+    let known = format!("median of {ROUNDS} runs");
+    let stopped = accuracy.complaint(scenario);
+    let (said, style) = state_of_work(accuracy.task.pace(None), stopped, known, theme);
+    let on_show = accuracy.on_show(scenario);
+    let of = on_show.map_or("", |(_, of)| of.label());
     let full = format!("How exact, at what cost? Error of the {of} in % against time");
     let brief = format!("How exact? Error of the {of}, %");
     let titles: &[&str] = match of {
@@ -42,47 +40,37 @@ pub fn draw(accuracy: &Measurement, model: &AppModel, sheet: &mut Sheet) {
         _ => &[&full, &brief, "How exact?"],
     };
     sheet.put_both((titles, theme.heading()), (&said, style));
-    let room = area.width - 2;
-    let (Some(totals), Some(of), false) =
-        (accuracy.of(scenario), accuracy.quantity(scenario), shown.is_empty())
-    else {
-        let text = waiting(accuracy, model);
-        let lines = wrapped(&text, usize::from(room));
-        sheet.put_lines((1, 2), lines, theme.text());
+    let (Some((totals, of)), false) = (on_show, shown.is_empty()) else {
+        sheet.put_wrapped((1, 2), &waiting(accuracy, model), theme.text());
         return;
     };
     let here = accuracy.place(&shown);
-    let mut below = flowed(&legend(&shown), room);
-    let notes = below.len();
-    below.extend(flowed(&levels(totals, of), room));
-    let details = below.len();
-    below.extend(flowed(&named(&shown, here), room));
-    let top = area.height.saturating_sub(below.len() as u16);
-    for (i, line) in below.iter().enumerate() {
-        let style = match i {
-            _ if i < notes => theme.quiet(),
-            _ if i == details => theme.strong(),
-            _ => theme.text(),
-        };
-        sheet.put((1, top + i as u16), line, style);
+    let room = area.width - 2;
+    let mut below = Vec::new();
+    for (parts, first, rest) in [
+        (legend(&shown), theme.quiet(), theme.quiet()),
+        (levels(totals, of), theme.text(), theme.text()),
+        (named(&shown, here), theme.strong(), theme.text()),
+    ] {
+        let styles = iter::once(first).chain(iter::repeat(rest));
+        below.extend(flowed(&parts, room).into_iter().zip(styles));
     }
-    let lines = wrapped(&costs(&shown), usize::from(room));
-    sheet.put_lines((1, 1), &lines, theme.strong());
-    let first = 1 + lines.len() as u16;
+    let top = area.height.saturating_sub(below.len() as u16);
+    for (y, (line, style)) in (top..).zip(below) {
+        sheet.put((1, y), line, style);
+    }
+    let first = sheet.put_wrapped((1, 1), &costs(&shown), theme.strong());
     let high = top.saturating_sub(first);
     if high < LEAST.1 + 2 || area.width < LEAST.0 + LABELS {
-        let text = "too small for the chart";
-        sheet.put((1, 1), text, theme.warning());
+        sheet.put((1, 1), "too small for the chart", theme.warning());
         return;
     }
-    let plot = &mut sheet.part((0, first), (area.width, high));
-    chart(&shown, here, plot);
+    chart(&shown, here, &mut sheet.part((0, first), (area.width, high)));
 }
 
 /// What less error costs: the fastest run, the most exact one, and one between them.
 fn costs(shown: &[Total]) -> String {
-    let mut front: Vec<&Total> = shown.iter().filter(|total| total.on_front).collect();
-    front.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let front: Vec<&Total> = shown.iter().filter(|total| total.on_front).collect();
     let places = [0, front.len() / 2, front.len().saturating_sub(1)];
     let mut picked: Vec<&Total> = places.iter().filter_map(|at| front.get(*at).copied()).collect();
     picked.dedup_by_key(|total| total.seconds.to_bits());
@@ -98,14 +86,12 @@ fn costs(shown: &[Total]) -> String {
 fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
     match accuracy.of(&model.work.scenario) {
         known if accuracy.task.job.is_some() => {
-            let levels = known.map_or(0, |known| known.levels.len());
-            let so_far = match levels {
-                0 => String::new(),
-                levels => format!(" Solved so far: level 1 to {levels}."),
-            };
-            let text = "Mesh levels, integrators and steps are timed, the coarse ones first. The total error of a level \
-             is known once the two finer ones are.";
-            text.to_owned() + &so_far
+            let text = "Mesh levels, integrators and steps are timed, the coarse ones first. The \
+                        total error of a level is known once the two finer ones are.";
+            match known.map_or(0, |known| known.levels.len()) {
+                0 => text.to_owned(),
+                levels => format!("{text} Solved so far: level 1 to {levels}."),
+            }
         }
         Some(totals) if totals.done == totals.all => {
             "No result has an error here: finer meshes do not agree, or fold.".to_owned()
@@ -114,52 +100,36 @@ fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
     }
 }
 
-fn status(accuracy: &Measurement, model: &AppModel, theme: Theme) -> (String, Style) {
-    if let Some(pace) = accuracy.task.pace(None) {
-        (format!("{pace}  Esc stops"), theme.warning())
-    } else if let Some(why) = accuracy.complaint(&model.work.scenario) {
-        (format!("{why}: m goes on"), theme.warning())
-    } else {
-        (format!("median of {ROUNDS} runs"), theme.quiet())
-    }
-}
-
 /// The letters that are there.
 fn legend(shown: &[Total]) -> Vec<String> {
     let there = |of: &&Integrator| shown.iter().any(|total| total.plan.integrator == **of);
-    let mut parts: Vec<String> = Integrator::ALL
-        .iter()
-        .filter(there)
-        .map(|i| format!("{} {}", i.method().letter, i.name()))
-        .collect();
-    parts.push("capital: none is both faster and closer".to_owned());
-    parts.push("> more exact, < faster".to_owned());
-    parts
+    let letters = Integrator::ALL.iter().filter(there).map(|of| letter_and_name(*of));
+    let others = ["capital: none is both faster and closer", "> more exact, < faster"];
+    letters.chain(others.map(str::to_owned)).collect()
+}
+
+fn letter_and_name(of: Integrator) -> String {
+    format!("{} {}", of.method().letter, of.name())
 }
 
 /// What each mesh level may be off by.
 fn levels(totals: &Accuracy, of: Quantity) -> Vec<String> {
-    let mut parts = vec!["mesh error".to_owned()];
-    for level in 1..=totals.levels.len() as u32 {
-        let Some(mesh) = totals.mesh(level) else {
-            continue;
-        };
-        let error = mesh[of].map_or("unknown".to_owned(), percent);
-        parts.push(format!("level {level}: {error}"));
-    }
-    parts
+    let error = |level| {
+        let error = totals.mesh(level)?[of].map_or("unknown".to_owned(), percent);
+        Some(format!("level {level}: {error}"))
+    };
+    let levels = 1..=totals.levels.len() as u32;
+    iter::once("mesh error".to_owned()).chain(levels.filter_map(error)).collect()
 }
 
 /// All about the run under the cursor.
 fn named(shown: &[Total], here: usize) -> Vec<String> {
-    let Some(total) = shown.get(here) else {
-        return Vec::new();
-    };
+    let total = &shown[here];
     let automatic = if total.is_answer { " (automatic)" } else { "" };
     vec![
         format!("▸ {} of {}", here + 1, shown.len()),
         format!("level {}", total.level),
-        format!("{} {}", total.plan.integrator.method().letter, total.plan.integrator.name()),
+        letter_and_name(total.plan.integrator),
         format!("step {} µs{automatic}", significant(total.step * 1e6)),
         format!("{} ms", significant(total.seconds * 1e3)),
         format!("error {}", percent(total.error())),
@@ -168,8 +138,7 @@ fn named(shown: &[Total], here: usize) -> Vec<String> {
     ]
 }
 
-/// Whether the run under the cursor is on the front, and the tolerances that it is the cheapest
-/// for.
+/// Whether the run under the cursor is on the front, and for which tolerances it is the cheapest.
 fn front(shown: &[Total], here: usize) -> String {
     let of = TOLERANCES.into_iter().filter(|percent| cheapest(shown, *percent) == Some(here));
     let of: Vec<String> = of.map(|percent| format!("{percent} %")).collect();
@@ -202,12 +171,9 @@ fn chart(shown: &[Total], cursor: usize, sheet: &mut Sheet) {
     let (columns, rows) = raster.size();
     let grain =
         (f64::from(columns) / f64::from(field.width), f64::from(rows) / f64::from(field.height));
-    let front: Vec<(f64, f64)> = shown
-        .iter()
-        .filter(|total| total.on_front)
-        .map(cell)
-        .map(|(x, y)| ((x + 0.5) * grain.0, (y + 0.5) * grain.1))
-        .collect();
+    let front = shown.iter().filter(|total| total.on_front).map(cell);
+    let front: Vec<(f64, f64)> =
+        front.map(|(x, y)| ((x + 0.5) * grain.0, (y + 0.5) * grain.1)).collect();
     let ink = Ink::solid(theme.cursor(), 0, '.');
     for pair in front.windows(2) {
         raster.line(pair[0], pair[1], ink);
@@ -218,10 +184,14 @@ fn chart(shown: &[Total], cursor: usize, sheet: &mut Sheet) {
     marks.sort_by_key(|(at, total)| (*at == cursor, total.on_front));
     for (at, total) in marks {
         let (x, y) = cell(total);
-        let letter = total.plan.integrator.method().letter;
-        let small = letter.to_ascii_lowercase();
-        let mark = if total.on_front { letter } else { small };
-        let mut style = style(theme, total);
+        let mut mark = total.plan.integrator.method().letter;
+        let level = total.level as usize - 1;
+        let mut style = if theme.is_mono() { theme.text() } else { theme.curve(level) };
+        if total.on_front {
+            style = style.add_modifier(Modifier::BOLD);
+        } else {
+            mark = mark.to_ascii_lowercase();
+        }
         if at == cursor {
             style = style.patch(theme.focus());
         }

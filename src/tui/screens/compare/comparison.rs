@@ -1,15 +1,15 @@
 //! The presets marked for comparison, and how they are shown.
 
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 use crate::answer::solve::Answer;
 use crate::many::comparison::{ComparisonColumn, Entry, Found, columns, order};
+use crate::plain_text::quoted;
 use crate::run::trace::{OtherTrace, Trace};
 use crate::run::{kept::Traces, quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
 use crate::tui::simulation::{Complete, Completion, Simulate};
-use crate::tui::{request::TaskQuestion, shown::ShownAnswer, task::Task};
+use crate::tui::{changing::began_as, request::TaskQuestion, shown::ShownAnswer, task::Task};
 
 /// The name under which the form stands in the list.
 pub const FORM: &str = "(the form)";
@@ -21,37 +21,36 @@ pub const LIST: usize = 0;
 pub const TABLE: usize = 1;
 pub const REPLAYS: usize = 2;
 
-/// Asks for the answer to a marked scenario.
-#[derive(Debug)]
-pub struct SimulateMarked {
+/// A question about a marked scenario.
+pub struct OfMarked<Q> {
     /// Its name in the list.
     pub name: String,
     /// What is simulated for its column.
     pub scenario: Scenario,
+    question: Q,
 }
 
-impl TaskQuestion for SimulateMarked {
-    type Answer = Answer;
+/// Asks for its answer.
+pub type SimulateMarked = OfMarked<Simulate>;
+/// Asks for what the ranges of its answer do not hold yet.
+pub type CompleteMarked = OfMarked<Complete>;
 
-    fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
-        Simulate(self.scenario.clone()).answer(watch)
+impl<Q> OfMarked<Q> {
+    /// A question about this entry.
+    pub fn new(entry: &Marked, question: Q) -> Self {
+        Self { name: entry.name.clone(), scenario: entry.scenario.clone(), question }
+    }
+
+    fn is_of(&self, entry: &Marked) -> bool {
+        (&self.name, &self.scenario) == (&entry.name, &entry.scenario)
     }
 }
 
-/// Asks for what the ranges of a marked scenario's answer do not hold yet.
-#[derive(Debug)]
-pub struct CompleteMarked {
-    /// Its name in the list.
-    pub name: String,
-    /// What is asked.
-    pub rest: Complete,
-}
+impl<Q: TaskQuestion> TaskQuestion for OfMarked<Q> {
+    type Answer = Q::Answer;
 
-impl TaskQuestion for CompleteMarked {
-    type Answer = Completion;
-
-    fn answer(&self, watch: Watch) -> Result<Completion, Refusal> {
-        self.rest.answer(watch)
+    fn answer(&self, watch: Watch) -> Result<Q::Answer, Refusal> {
+        self.question.answer(watch)
     }
 }
 
@@ -71,11 +70,7 @@ impl Alignment {
     /// The next one.
     #[must_use]
     pub fn next(self) -> Self {
-        match self {
-            Self::Clock => Self::Contact,
-            Self::Contact => Self::Deepest,
-            Self::Deepest => Self::Clock,
-        }
+        [Self::Contact, Self::Deepest, Self::Clock][self as usize]
     }
 
     /// In words.
@@ -108,8 +103,16 @@ fn first_contact(traces: &Traces) -> f64 {
 /// A marked scenario, with what pictures are made of.
 pub type Marked = Entry<Box<ShownAnswer>>;
 
+/// What pictures of an entry are made of, once it has its answer.
+pub fn shown(entry: &Marked) -> Option<&ShownAnswer> {
+    match &entry.found {
+        Found::Answer(shown) => Some(shown),
+        _ => None,
+    }
+}
+
 /// The comparison.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Comparison {
     /// The place of the pane with the focus.
     pub pane: usize,
@@ -136,15 +139,8 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Marks or unmarks; says so if there is no room.
-    ///
-    /// # Errors
-    /// Where six are marked already.
-    pub fn mark(&mut self, name: &str, scenario: &Scenario) -> Result<(), String> {
-        if let Some(at) = self.entries.iter().position(|entry| entry.name == name) {
-            self.entries.remove(at);
-            return Ok(());
-        }
+    /// Marks one more; an error says that six are marked already.
+    pub(super) fn add(&mut self, name: &str, scenario: &Scenario) -> Result<(), String> {
         if self.entries.len() == MAX_MARKED {
             return Err(format!("{MAX_MARKED} are marked already: unmark one first"));
         }
@@ -152,79 +148,85 @@ impl Comparison {
         Ok(())
     }
 
-    /// Whether a name is marked.
-    pub fn is_marked(&self, name: &str) -> bool {
-        self.entries.iter().any(|entry| entry.name == name)
+    /// Marks a preset, or unmarks what began as it; an error says why it cannot be marked.
+    pub(super) fn mark(
+        &mut self,
+        name: &str,
+        scenario: Result<&Scenario, &String>,
+    ) -> Result<(), String> {
+        if let Some(at) = self.place_of(name) {
+            self.entries.remove(at);
+            return Ok(());
+        }
+        let scenario = scenario.map_err(|why| format!("{}: {why}", quoted(name)))?;
+        self.add(name, scenario)
     }
 
-    /// The entry of that name takes another scenario, if it is marked and differs.
-    pub fn replace(&mut self, name: &str, scenario: &Scenario) {
-        let entry = self.entries.iter_mut().find(|entry| entry.name == name);
-        if let Some(entry) = entry
-            && entry.scenario != *scenario
-        {
-            *entry = Entry::new(name, scenario);
+    /// The place of what began as that preset among the entries.
+    pub(super) fn place_of(&self, name: &str) -> Option<usize> {
+        self.entries.iter().position(|entry| began_as(&entry.name, name))
+    }
+
+    /// Whether what a task is at is about an entry still.
+    pub(super) fn awaits<Q>(&self, task: &Task<OfMarked<Q>>) -> bool {
+        let asked = task.job.as_ref().map(|job| &job.question);
+        asked.is_some_and(|asked| self.entries.iter().any(|entry| asked.is_of(entry)))
+    }
+
+    /// Where the form is marked, its entry takes the scenario of the form.
+    pub(super) fn follow_form(&mut self, scenario: &Scenario) {
+        let mut entries = self.entries.iter_mut();
+        if let Some(entry) = entries.find(|e| e.name == FORM && e.scenario != *scenario) {
+            *entry = Entry::new(FORM, scenario);
         }
     }
 
     /// The next entry to simulate.
-    pub fn next(&self) -> Option<&Marked> {
+    pub(super) fn next(&self) -> Option<&Marked> {
         let awaited = |entry: &&Marked| matches!(entry.found, Found::Awaited);
         self.entries.iter().find(awaited)
     }
 
     /// The entries whose answers are still to be completed.
-    pub fn incomplete(&self) -> impl Iterator<Item = (&Marked, &Answer)> {
+    pub(super) fn incomplete(&self) -> impl Iterator<Item = (&Marked, &Answer)> {
         let open = self.entries.iter().filter(|entry| !entry.without_mesh);
         let answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
         answered.filter(|(_, answer)| answer.inputs.is_none())
     }
 
-    /// Changes an entry; the cursor of the table stays with what it stood on, wherever that then
-    /// is sorted to.
-    pub fn keeping_row(&mut self, change: impl FnOnce(&mut Self)) {
-        let row = self.sorted().into_iter().nth(self.entry);
-        let place = |of: &Marked| self.entries.iter().position(|e| std::ptr::eq(e, of));
-        let chosen = row.and_then(place);
+    /// Changes an entry; the cursor of the table stays with its own, wherever that is sorted to.
+    pub(super) fn keeping_row(&mut self, change: impl FnOnce(&mut Self)) {
+        let chosen = self.sorted().get(self.entry).copied();
         change(self);
-        let Some(chosen) = chosen.and_then(|at| self.entries.get(at)) else {
-            return;
-        };
-        let row = |of: &Marked| std::ptr::eq(of, chosen);
-        if let Some(row) = self.sorted().into_iter().position(row) {
-            self.entry = row;
-        }
+        let row = self.sorted().into_iter().position(|place| Some(place) == chosen);
+        self.entry = row.unwrap_or(self.entry);
     }
 
     /// Takes in what completes an entry, or that nothing does.
-    pub fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
-        self.keeping_row(|comparison| comparison.take_rest(asked, rest));
-    }
-
-    fn take_rest(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
-        let mut entries = self.entries.iter_mut();
-        let same = |e: &&mut Marked| e.name == asked.name && e.scenario == asked.rest.scenario;
-        let Some(entry) = entries.find(same) else {
-            return;
-        };
-        if let Found::Answer(shown) = &mut entry.found {
-            let answer = Arc::make_mut(&mut shown.answer);
-            if let Some(rest) = rest {
-                rest.put(answer);
+    pub(super) fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
+        self.keeping_row(|comparison| {
+            let mut entries = comparison.entries.iter_mut();
+            if let Some(entry) = entries.find(|entry| asked.is_of(entry))
+                && let Found::Answer(shown) = &mut entry.found
+            {
+                let answer = Arc::make_mut(&mut shown.answer);
+                if let Some(rest) = rest {
+                    rest.put(answer);
+                }
+                entry.without_mesh = answer.errors.mesh.is_none();
             }
-            entry.without_mesh = answer.errors.mesh.is_none();
-        }
+        });
     }
 
     /// By how much the time shown of an answer is later than that of the first, in s.
-    pub fn shift(&self, answer: &Answer) -> f64 {
+    pub(super) fn shift(&self, answer: &Answer) -> f64 {
         let first = self.entries.iter().find_map(Entry::answer);
         let moment = |answer| self.alignment.moment(answer);
         moment(answer) - first.map_or(0.0, moment)
     }
 
     /// Takes in what came of an entry.
-    pub fn set_found(&mut self, name: &str, found: Found<Box<ShownAnswer>>) {
+    pub(super) fn set_found(&mut self, name: &str, found: Found<Box<ShownAnswer>>) {
         self.keeping_row(|comparison| {
             let mut entries = comparison.entries.iter_mut();
             if let Some(entry) = entries.find(|entry| entry.name == name) {
@@ -234,18 +236,18 @@ impl Comparison {
     }
 
     /// The columns, from the left.
-    pub fn columns(&self) -> Vec<ComparisonColumn> {
+    pub(super) fn columns(&self) -> Vec<ComparisonColumn> {
         columns(&self.entries)
     }
 
     /// The column with the cursor.
-    pub fn here(&self) -> ComparisonColumn {
+    pub(super) fn here(&self) -> ComparisonColumn {
         let columns = self.columns();
         columns[self.column.min(columns.len() - 1)]
     }
 
     /// Sorts by the column with the cursor; a second time, the other way round.
-    pub fn sort_here(&mut self) {
+    pub(super) fn sort_here(&mut self) {
         let here = self.here();
         self.sort = match self.sorting() {
             Some((column, largest)) if column == here => Some((column, !largest)),
@@ -253,9 +255,8 @@ impl Comparison {
         };
     }
 
-    /// The column that sorts the table: by itself the risk of the gravest injury, where there is
-    /// one.
-    pub fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
+    /// The column that sorts the table: by itself the risk of the gravest injury, if there is one.
+    pub(super) fn sorting(&self) -> Option<(ComparisonColumn, bool)> {
         let first = self.columns().into_iter().nth(1);
         let risk = first.filter(|column| column.is_risk());
         let own = risk.filter(|_| !self.fixed).map(|column| (column, true));
@@ -263,37 +264,34 @@ impl Comparison {
     }
 
     /// Keeps the rows in the order that they have now: who edits one goes on to the next.
-    pub fn fix_order(&mut self) {
-        let order: Vec<String> = self.sorted().iter().map(|e| e.name.clone()).collect();
-        let place = |entry: &Marked| order.iter().position(|name| *name == entry.name);
-        self.entries.sort_by_key(place);
+    pub(super) fn fix_order(&mut self) {
+        if let Some(by) = self.sorting() {
+            self.entries.sort_by(|a, b| order(a, b, by));
+        }
         (self.sort, self.fixed) = (None, true);
     }
 
-    /// The entries in the order of the table.
-    pub fn sorted(&self) -> Vec<&Marked> {
-        let mut entries: Vec<&Marked> = self.entries.iter().collect();
+    /// The places of the entries, in the order of the table.
+    pub(super) fn sorted(&self) -> Vec<usize> {
+        let mut places: Vec<usize> = (0..self.entries.len()).collect();
         if let Some(by) = self.sorting() {
-            entries.sort_by(|a, b| order(a, b, by));
+            places.sort_by(|a, b| order(&self.entries[*a], &self.entries[*b], by));
         }
-        entries
+        places
     }
 
     /// The curve below the table: by itself the pressure, where there is one.
-    pub fn curve(&self) -> Trace {
-        let pressure = |entry: &Marked| entry.answer()?.result(Quantity::Pressure);
-        let own = if self.entries.iter().any(|entry| pressure(entry).is_some()) {
-            Trace::Of(Quantity::Pressure)
-        } else {
-            Trace::default()
-        };
+    pub(super) fn curve(&self) -> Trace {
+        let mut answers = self.entries.iter().filter_map(Entry::answer);
+        let pressed = answers.any(|answer| answer.result(Quantity::Pressure).is_some());
+        let own = if pressed { Trace::Of(Quantity::Pressure) } else { Trace::default() };
         self.curve.unwrap_or(own)
     }
 
     /// The longest window of the answers, in s.
-    pub fn window(&self) -> Option<f64> {
+    pub(super) fn window(&self) -> Option<f64> {
         let windows = self.entries.iter().filter_map(|e| Some(e.answer()?.window()));
-        windows.max_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal))
+        windows.max_by(f64::total_cmp)
     }
 }
 
@@ -311,7 +309,7 @@ mod tests {
         for name in names {
             let mut scenario = library::find(name).unwrap().scenario().unwrap();
             scenario.window_ms = window_ms.or(scenario.window_ms);
-            comparison.mark(name, &scenario).unwrap();
+            comparison.add(name, &scenario).unwrap();
             let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
             let shown = ShownAnswer::new(scenario, answer);
             comparison.set_found(name, Found::Answer(shown.into()));
@@ -324,45 +322,38 @@ mod tests {
         answered(&names, Keep::default(), None)
     }
 
+    fn order(comparison: &Comparison) -> Vec<String> {
+        comparison.sorted().iter().map(|at| comparison.entries[*at].name.clone()).collect()
+    }
+
     #[test]
     fn the_cursor_stays_with_a_row_that_is_sorted_elsewhere() {
         let mut comparison = filled();
-        let names = order(&comparison).into_iter().map(str::to_owned);
-        let names: Vec<String> = names.collect();
-        for (row, name) in names.iter().enumerate() {
+        for (row, name) in order(&comparison).iter().enumerate() {
             comparison.entry = row;
             comparison.set_found(name, Found::Awaited);
-            assert_eq!(order(&comparison)[comparison.entry], name);
+            assert_eq!(&order(&comparison)[comparison.entry], name);
         }
-    }
-
-    fn order(comparison: &Comparison) -> Vec<&str> {
-        let sorted = comparison.sorted();
-        sorted.iter().map(|entry| entry.name.as_str()).collect()
     }
 
     #[test]
     fn the_table_sorts_by_every_column_both_ways() {
         let mut comparison = filled();
-        let (marked, sorted) =
-            ("paper-300n paper-100n paper-600n", "paper-100n paper-300n paper-600n");
-        assert_eq!(order(&comparison).join(" "), marked);
+        assert_eq!(order(&comparison), ["paper-300n", "paper-100n", "paper-600n"]);
         comparison.sort_here();
-        assert_eq!(order(&comparison).join(" "), sorted);
+        assert_eq!(order(&comparison), ["paper-100n", "paper-300n", "paper-600n"]);
         let columns = comparison.columns();
         let pressure = ComparisonColumn::Result(Quantity::Pressure);
         assert!(!columns.contains(&pressure), "what no scene has takes no column");
         for (index, column) in columns.iter().enumerate().skip(1) {
             comparison.column = index;
-            comparison.sort_here();
-            let values = |c: &Comparison| -> Vec<f64> {
-                let sorted = c.sorted();
-                let value = |e: &&Marked| column.of(e.answer().unwrap()).unwrap();
-                sorted.iter().map(value).collect()
+            let mut values = || -> Vec<f64> {
+                comparison.sort_here();
+                let entries = comparison.sorted().into_iter().map(|at| &comparison.entries[at]);
+                entries.map(|e| column.of(e.answer().unwrap()).unwrap()).collect()
             };
-            assert!(values(&comparison).is_sorted_by(|a, b| a >= b));
-            comparison.sort_here();
-            assert!(values(&comparison).is_sorted());
+            assert!(values().is_sorted_by(|a, b| a >= b));
+            assert!(values().is_sorted());
         }
     }
 
@@ -399,16 +390,5 @@ mod tests {
         let contact =
             |entry: &Marked| first_contact(entry.answer().unwrap().run.traces.as_ref().unwrap());
         assert!(comparison.entries.iter().all(|entry| contact(entry) < 1e-4));
-    }
-
-    #[test]
-    fn six_may_be_marked_and_marking_again_unmarks() {
-        let mut comparison = Comparison::default();
-        for name in ["a", "b", "c", "d", "e", "f"] {
-            comparison.mark(name, &Scenario::default()).unwrap();
-        }
-        assert!(comparison.mark("g", &Scenario::default()).is_err());
-        comparison.mark("a", &Scenario::default()).unwrap();
-        assert!(!comparison.is_marked("a") && comparison.entries.len() == 5);
     }
 }

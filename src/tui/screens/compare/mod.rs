@@ -1,36 +1,24 @@
 //! Several presets: which are marked, their answers one after another, and the clock they share.
 
-mod cell;
 pub mod comparison;
-mod overlaid;
-mod replays;
 mod view;
 
 use ratatui::layout::Rect;
 
 use crate::many::comparison::Found;
-use crate::plain_text::quoted;
 use crate::run::{kept::Traces, trace::Trace};
 use crate::scenario::Scenario;
 use crate::tui::changing::{Changing, began_as, called};
 use crate::tui::keys::press::{DOWN, END, ENTER, HOME, LEFT, PAGE_DOWN, PAGE_UP, RIGHT, UP, c};
 use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
-use crate::tui::picker::{PAGE, Picker};
-use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::{choices::Choice, overlay::Overlay, request::Report, screens::forces::drawn};
-use crate::tui::{screens::replay::FrameKeys, shown::ShownAnswer, simulation::Complete};
+use crate::tui::picker::{Choice, PAGE, Picker};
+use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind, next_of};
+use crate::tui::simulation::{Complete, Simulate};
+use crate::tui::{overlay::Overlay, request::Report, screens::forces::drawn};
+use crate::tui::{screens::replay::FrameKeys, shown::ShownAnswer, step::Step};
 use crate::tui::{view::sheet::Sheet, work::Work};
-use comparison::{
-    Comparison, CompleteMarked, FORM, LIST, MAX_MARKED, Marked, REPLAYS, SimulateMarked, TABLE,
-};
-
-pub(super) const ABOUT: About = About {
-    title: "Compare",
-    question: view::QUESTION,
-    purpose: "compare presets",
-    new: || Box::new(Comparison::default()),
-};
+use comparison::{Comparison, FORM, LIST, MAX_MARKED, Marked, OfMarked, REPLAYS, TABLE, shown};
 
 impl Panes for Comparison {
     const PANES: &'static [Pane<Self>] = &[
@@ -39,30 +27,30 @@ impl Panes for Comparison {
         Pane::new(
             view::PANES[REPLAYS],
             TimeKeys::Early,
-            &[PaneKeys::new("Compare: replays", FrameKeys::ALL), ALIGN_KEYS],
+            &[PaneKeys::new("Compare: replays", Self::FRAME_KEYS), ALIGN_KEYS],
         ),
     ];
 }
 
 #[rustfmt::skip]
 const LIST_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: presets", &[
-    bind(&[UP, c('k')], |s, m| s.move_cursor(m, -1), "preset", "the preset above"),
-    bind(&[DOWN, c('j')], |s, m| s.move_cursor(m, 1), "&", "the preset below"),
-    bind(&[PAGE_UP], |s, m| s.move_cursor(m, -PAGE), "", "ten presets up"),
-    bind(&[PAGE_DOWN], |s, m| s.move_cursor(m, PAGE), "", "ten presets down"),
-    bind(&[HOME], |s, m| s.move_cursor(m, -i16::MAX), "", "the first preset"),
-    bind(&[END], |s, m| s.move_cursor(m, i16::MAX), "", "the last preset"),
+    bind(&[UP, c('k')], |s, m| s.move_row(m, -1), "preset", "the preset above"),
+    bind(&[DOWN, c('j')], |s, m| s.move_row(m, 1), "&", "the preset below"),
+    bind(&[PAGE_UP], |s, m| s.move_row(m, -PAGE), "", "ten presets up"),
+    bind(&[PAGE_DOWN], |s, m| s.move_row(m, PAGE), "", "ten presets down"),
+    bind(&[HOME], |s, m| s.move_row(m, -i16::MAX), "", "the first preset"),
+    bind(&[END], |s, m| s.move_row(m, i16::MAX), "", "the last preset"),
     bind(&[c(' '), ENTER], Comparison::mark_row, "mark", "mark or unmark, two to six in all"),
     bind(&[c('e')], Comparison::edit, "edit", "change its speed or another field, here only"),
-    bind(&[c('/')], Comparison::find, "find", "find presets by letters, and mark them"),
+    bind(&[c('/')], |s, m| s.open_list(m, ""), "find", "find presets by letters, and mark them"),
 ]);
 
 #[rustfmt::skip]
 const TABLE_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: table", &[
     bind(&[LEFT, c('h')], |s, _| s.change_column(-1), "column", "the column to the left"),
     bind(&[RIGHT, c('l')], |s, _| s.change_column(1), "&", "the column to the right"),
-    bind(&[UP, c('k')], |s, _| s.move_entry(-1), "", "the row above"),
-    bind(&[DOWN, c('j')], |s, _| s.move_entry(1), "", "the row below"),
+    bind(&[UP, c('k')], |s, m| s.move_row(m, -1), "", "the row above"),
+    bind(&[DOWN, c('j')], |s, m| s.move_row(m, 1), "", "the row below"),
     bind(&[c('e')], Comparison::edit, "edit", "change its speed or another field, here only"),
     bind(&[ENTER, c('o')], |s, _| s.sort_here(), "sort", "sort by the column; again: the other way"),
     bind(&[c('v')], |s, _| s.next_curve(), "curves", "the next curve below the table"),
@@ -98,8 +86,9 @@ impl Screen for Comparison {
         }
         self.pane = TABLE;
         let mut left_out = 0;
-        for work in works {
-            if !self.is_marked(&work.source) && self.mark(&work.source, &work.scenario).is_err() {
+        for Work { source, scenario, .. } in works {
+            let marked = self.entries.iter().any(|entry| entry.name == *source);
+            if !marked && self.add(source, scenario).is_err() {
                 left_out += 1;
             }
         }
@@ -110,20 +99,13 @@ impl Screen for Comparison {
         }
     }
 
-    /// Simulates the marked scenarios one after another while they are on show, and then completes
-    /// their answers; stops what nobody waits for.
+    /// Simulates, then completes what is marked while on show; stops what nobody waits for.
     fn refresh_requests(&mut self, model: &mut AppModel, on_show: bool) {
         if on_show {
-            self.replace(FORM, &model.work.scenario);
+            self.follow_form(&model.work.scenario);
         }
-        let awaited = |name: &str, scenario: &Scenario| {
-            let mut entries = self.entries.iter();
-            on_show && entries.any(|e| e.name == name && e.scenario == *scenario)
-        };
-        let (run, rest) = (self.task.job.as_ref(), self.rest.job.as_ref());
-        let runs_on = run.is_some_and(|job| awaited(&job.question.name, &job.question.scenario));
-        let rest_goes_on =
-            rest.is_some_and(|job| awaited(&job.question.name, &job.question.rest.scenario));
+        let runs_on = on_show && self.awaits(&self.task);
+        let rest_goes_on = on_show && self.awaits(&self.rest);
         if !runs_on {
             self.task.stop(None, &mut model.out);
         }
@@ -134,15 +116,13 @@ impl Screen for Comparison {
             return;
         }
         if let Some(entry) = self.next() {
-            let question =
-                SimulateMarked { name: entry.name.clone(), scenario: entry.scenario.clone() };
+            let question = OfMarked::new(entry, Simulate(entry.scenario.clone()));
             self.task.ask(question, &mut model.out);
             return;
         }
-        let question = self.incomplete().next().map(|(entry, answer)| CompleteMarked {
-            name: entry.name.clone(),
-            rest: Complete::of(&entry.scenario, answer),
-        });
+        let incomplete = self.incomplete().next();
+        let question = incomplete
+            .map(|(entry, answer)| OfMarked::new(entry, Complete::of(&entry.scenario, answer)));
         if let Some(question) = question {
             self.rest.ask(question, &mut model.out);
         }
@@ -190,12 +170,10 @@ impl Screen for Comparison {
         let Some(choice) = model.choices.get(place) else {
             return;
         };
-        let outcome = self.mark_or_explain(choice);
+        model.notice = self.mark(&choice.name, choice.scenario.as_ref()).err();
         self.row = 1 + place;
-        let mut picker = Picker::at(&model.choices, &choice.name);
-        picker.marked = Some(self.names(model));
-        model.notice = outcome.err();
-        model.overlay = Some(Overlay::Picker(picker));
+        let name = choice.name.clone();
+        self.open_list(model, &name);
     }
 
     /// Compares it as it is now; what was not marked is marked.
@@ -209,15 +187,12 @@ impl Screen for Comparison {
         let called = called(source, original, scenario);
         self.fix_order();
         let place = self.entries.iter().position(|entry| entry.name == name);
-        let there = place.map_or(&[][..], |at| &self.entries[at..=at]);
-        if there.iter().any(|entry| entry.scenario == *scenario) {
-            return;
-        }
         match place {
+            Some(at) if self.entries[at].scenario == *scenario => {}
             Some(at) => self.keeping_row(|comparison| {
                 comparison.entries[at] = Marked::new(&called, scenario);
             }),
-            None => model.notice = self.mark(&called, scenario).err(),
+            None => model.notice = self.add(&called, scenario).err(),
         }
     }
 
@@ -236,11 +211,13 @@ impl Screen for Comparison {
                 }
             }
             Mouse::Drag(_) => {}
-            Mouse::Wheel(_, step) => match self.pane {
-                LIST => self.move_cursor(model, if step.up { -1 } else { 1 }),
-                TABLE => self.change_column(if step.up { -1 } else { 1 }),
-                _ => self.step_time(model, step.reversed()),
-            },
+            Mouse::Wheel(_, Step { up, .. }) if self.pane == LIST => {
+                self.move_row(model, if up { -1 } else { 1 });
+            }
+            Mouse::Wheel(_, Step { up, .. }) if self.pane == TABLE => {
+                self.change_column(if up { -1 } else { 1 });
+            }
+            Mouse::Wheel(_, step) => self.step(model, step.reversed()),
         }
         false
     }
@@ -258,21 +235,17 @@ impl Screen for Comparison {
         }
     }
 
-    /// Those of the marked entries in the order of the table, or of the form where none is; none
-    /// while some are being simulated.
+    /// Those of the table, else of the form; none while some are being simulated.
     fn answers<'a>(&'a self, model: &'a AppModel) -> Vec<(String, &'a ShownAnswer)> {
         if self.next().is_some() {
             return Vec::new();
         }
-        let entries = self.sorted().into_iter();
-        let marked = entries.filter_map(|entry| match &entry.found {
-            Found::Answer(shown) if entry.name == FORM => {
-                Some((model.work.name().to_owned(), shown.as_ref()))
-            }
-            Found::Answer(shown) => Some((entry.name.clone(), shown.as_ref())),
-            _ => None,
-        });
-        let marked: Vec<_> = marked.collect();
+        let named = |at: usize| {
+            let entry = &self.entries[at];
+            let name = if entry.name == FORM { model.work.name() } else { &entry.name };
+            Some((name.to_owned(), shown(entry)?))
+        };
+        let marked: Vec<_> = self.sorted().into_iter().filter_map(named).collect();
         if marked.is_empty() { model.answer() } else { marked }
     }
 }
@@ -283,34 +256,36 @@ impl Comparison {
         model.clock.time_in(self.timed(model))
     }
 
-    fn move_cursor(&mut self, model: &AppModel, by: i16) {
-        // The form stands above the presets.
-        let row = self.row.saturating_add_signed(isize::from(by));
-        self.row = row.min(model.choices.len());
+    /// Moves the cursor of the list, or of the table.
+    fn move_row(&mut self, model: &AppModel, by: i16) {
+        let (row, last) = match self.pane {
+            // The form stands above the presets.
+            LIST => (&mut self.row, model.choices.len()),
+            _ => (&mut self.entry, self.entries.len().saturating_sub(1)),
+        };
+        *row = row.saturating_add_signed(by.into()).min(last);
     }
 
-    fn move_entry(&mut self, by: isize) {
-        let last = self.entries.len().saturating_sub(1);
-        self.entry = self.entry.saturating_add_signed(by).min(last);
+    /// The choice with the cursor; none where that is on the form.
+    fn listed<'a>(&self, model: &'a AppModel) -> Option<&'a Choice> {
+        model.choices.get(self.row.checked_sub(1)?)
     }
 
     /// Asks for another value of a field of what the cursor is on.
     fn edit(&mut self, model: &mut AppModel) {
-        let listed = || self.row.checked_sub(1).and_then(|at| model.choices.get(at));
-        let marked = if self.pane == LIST {
-            let name = listed().map_or(FORM, |choice| &choice.name);
-            self.entries.iter().find(|entry| began_as(&entry.name, name))
-        } else {
-            self.sorted().into_iter().nth(self.entry)
+        let listed = self.listed(model);
+        let place = match self.pane {
+            LIST => self.place_of(listed.map_or(FORM, |choice| &choice.name)),
+            _ => self.sorted().get(self.entry).copied(),
         };
-        let (name, scenario) = match (marked, listed()) {
-            (Some(entry), _) => (&entry.name, &entry.scenario),
-            (None, Some(Choice { name, scenario: Ok(scenario), .. })) => (name, scenario),
-            _ => return model.notice = Some("F1 edits the form".to_owned()),
+        let marked = place.map(|at| &self.entries[at]);
+        let named = marked.map(|entry| (&entry.name, &entry.scenario));
+        let preset = || listed.and_then(|of| Some((&of.name, of.scenario.as_ref().ok()?)));
+        let what = named.or_else(preset);
+        let Some((name, scenario)) = what.filter(|(name, _)| *name != FORM) else {
+            return model.notice = Some("F1 edits the form".to_owned());
         };
-        if name == FORM {
-            model.notice = Some("F1 edits the form".to_owned());
-        } else if let Some(what) = Changing::of(name, scenario) {
+        if let Some(what) = Changing::of(name, scenario) {
             model.overlay = Some(Overlay::Change(Box::new(what)));
         }
     }
@@ -327,48 +302,26 @@ impl Comparison {
             let mut answers = self.entries.iter().filter_map(|entry| entry.answer());
             answers.any(|answer| answer.run.traces.as_ref().is_some_and(has))
         };
-        let here = self.curve();
-        let after = drawn().skip_while(|course| *course != here).skip(1);
-        let next = after.chain(drawn()).find(there);
-        self.curve = next.or(Some(here));
+        let all: Vec<Trace> = drawn().collect();
+        self.curve = Some(next_of(&all, self.curve(), there));
     }
 
     /// Marks what the cursor is on, or unmarks it.
     fn mark_row(&mut self, model: &mut AppModel) {
-        // The form stands above the presets.
-        let outcome = match self.row.checked_sub(1) {
-            None => self.mark(FORM, &model.work.scenario),
-            Some(at) => match model.choices.get(at) {
-                Some(choice) => self.mark_or_explain(choice),
-                None => Ok(()),
-            },
+        let outcome = match self.listed(model) {
+            Some(choice) => self.mark(&choice.name, choice.scenario.as_ref()),
+            None if self.row == 0 => self.mark(FORM, Ok(&model.work.scenario)),
+            None => Ok(()),
         };
         model.notice = outcome.err();
     }
 
-    fn mark_or_explain(&mut self, choice: &Choice) -> Result<(), String> {
-        // What was changed here is unmarked as what it began as.
-        let mut changed = self.entries.iter();
-        if let Some(at) = changed.position(|entry| began_as(&entry.name, &choice.name)) {
-            self.entries.remove(at);
-            return Ok(());
-        }
-        match &choice.scenario {
-            Ok(scenario) => self.mark(&choice.name, scenario),
-            Err(why) => Err(format!("{}: {why}", quoted(&choice.name))),
-        }
-    }
-
-    /// Opens the list that is searched by letters.
-    fn find(&mut self, model: &mut AppModel) {
-        let mut picker = Picker::at(&model.choices, "");
-        picker.marked = Some(self.names(model));
+    /// Opens the list that is searched by letters, at a name.
+    fn open_list(&self, model: &mut AppModel, at: &str) {
+        let names = model.choices.iter().map(|choice| &choice.name);
+        let marked = names.filter(|name| self.place_of(name).is_some());
+        let mut picker = Picker::at(&model.choices, at);
+        picker.marked = Some(marked.cloned().collect());
         model.overlay = Some(Overlay::Picker(picker));
-    }
-
-    fn names(&self, model: &AppModel) -> Vec<String> {
-        let choices = model.choices.iter().map(|choice| &choice.name);
-        let marked = choices.filter(|name| self.entries.iter().any(|e| began_as(&e.name, name)));
-        marked.cloned().collect()
     }
 }

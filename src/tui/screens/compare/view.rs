@@ -3,21 +3,22 @@
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
+use crate::injury::Injury;
 use crate::many::comparison::{ComparisonColumn, Found};
-use crate::report::risks::first_line;
-use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
-use crate::tui::{changing::began_as, model::AppModel, view::chart::mark, view::risks::longest};
-use crate::tui::{view::sheet::Sheet, work::brief};
+use crate::report::figure::{Figure, Off};
+use crate::report::risks::{first_line, range};
+use crate::run::quantity::Quantity;
+use crate::tui::screens::compare::comparison::{
+    Alignment, Comparison, FORM, LIST, Marked, REPLAYS, TABLE, shown,
+};
+use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
+use crate::tui::view::text::{fitted, longest_fitting, width};
+use crate::tui::view::{below, eye::EyePicture, raster::Ink, risks::longest, sheet::Sheet};
+use crate::tui::{model::AppModel, shown::ShownAnswer, work::brief};
 
-use crate::tui::screens::compare::comparison::{Comparison, FORM, LIST, Marked, REPLAYS, TABLE};
-use crate::tui::screens::compare::{cell::cell, overlaid::overlaid, replays::replays};
-
-/// What the screen answers.
-pub const QUESTION: &str = "Which is worse?";
 /// What its panes are called.
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
 
-/// Draws the screen.
 pub fn draw(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     match compare.pane {
         TABLE => with_table(compare, model, sheet),
@@ -43,98 +44,81 @@ pub fn heading_at(area: Rect, (x, y): (u16, u16)) -> Option<usize> {
     headings().position(under).filter(|_| y == area.y)
 }
 
-/// The row of the list of presets at a cell.
-pub fn listed_at(
-    compare: &Comparison,
-    model: &AppModel,
-    area: Rect,
-    (x, y): (u16, u16),
-) -> Option<usize> {
-    let inside = compare.pane == LIST && x < list_width(area) && y > area.y;
-    let row = first_listed(compare, area.height - 1) + usize::from(y.saturating_sub(area.y + 1));
-    (inside && row <= model.choices.len()).then_some(row)
-}
-
 fn list_width(area: Rect) -> u16 {
     30.min(area.width / 2)
 }
 
-/// The first row of the list of presets that there is room for.
-fn first_listed(compare: &Comparison, room: u16) -> usize {
-    compare.row.saturating_sub(usize::from(room).saturating_sub(1))
+/// The rows of the list of presets that there is room for, each by its place in it.
+fn listed(
+    compare: &Comparison,
+    model: &AppModel,
+    area: Rect,
+) -> impl Iterator<Item = (usize, Rect)> {
+    let first = compare.row.saturating_sub(usize::from(area.height).saturating_sub(2));
+    let rows = Rect { width: list_width(area), ..area }.rows().skip(1);
+    (first..=model.choices.len()).zip(rows)
 }
 
-/// The names of the panes, and at the right how far things are, or else `text`.
-pub(super) fn heading(compare: &Comparison, text: &str, sheet: &mut Sheet) {
+/// The place in the list of presets at a cell.
+pub fn listed_at(
+    compare: &Comparison,
+    model: &AppModel,
+    area: Rect,
+    at: (u16, u16),
+) -> Option<usize> {
+    let mut rows = listed(compare, model, area).filter(|_| compare.pane == LIST);
+    rows.find_map(|(place, row)| row.contains(at.into()).then_some(place))
+}
+
+/// The names of the panes, and at the right how far things are.
+fn heading(compare: &Comparison, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     for (i, (x, name)) in headings().enumerate() {
-        let here = i == compare.pane;
-        let style = if here { theme.focus() } else { theme.text() };
+        let style = if i == compare.pane { theme.focus() } else { theme.text() };
         sheet.put((x, 0), &name, style);
     }
-    let said = progress(compare);
-    let text = if said.is_empty() { text } else { &said };
-    sheet.put_right((area.width - 1, 0), text, theme.quiet());
-}
-
-/// How far simulations and what completes them are.
-fn progress(compare: &Comparison) -> String {
     let count = compare.entries.len();
     let answered = |entry: &&Marked| !matches!(entry.found, Found::Awaited);
     let done = compare.entries.iter().filter(answered).count();
     let open = compare.incomplete().count();
-    match (count, done, open) {
-        (0, ..) => "mark two to six".to_owned(),
-        (1, ..) => "mark one more".to_owned(),
+    let text = match (count, open) {
+        (0, _) => "mark two to six".to_owned(),
+        (1, _) => "mark one more".to_owned(),
         _ if done < count => format!("{done} of {count} simulated"),
-        (_, _, 0) => String::new(),
-        _ => format!("mesh and inputs: {} of {count}", count - open),
-    }
-}
-
-fn marked(compare: &Comparison) -> String {
-    format!("{} marked, w takes a page", compare.entries.len())
+        (_, 1..) => format!("mesh and inputs: {} of {count}", count - open),
+        (_, 0) if compare.pane == REPLAYS => String::new(),
+        (_, 0) => format!("{count} marked, w takes a page"),
+    };
+    sheet.put_right((area.width - 1, 0), text, theme.quiet());
 }
 
 fn with_list(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    heading(compare, &marked(compare), sheet);
+    heading(compare, sheet);
     let wide = list_width(area);
-    let names = std::iter::once(FORM).chain(model.choices.iter().map(|c| c.name.as_str()));
-    let room = usize::from(area.height - 1);
-    let first = first_listed(compare, area.height - 1);
-    for (i, name) in names.enumerate().skip(first).take(room) {
-        let y = 1 + (i - first) as u16;
-        let entries = &compare.entries;
-        let same = |entry: &Marked| began_as(&entry.name, name);
-        let place = entries.iter().position(same);
+    for (i, row) in listed(compare, model, area) {
+        let name = i.checked_sub(1).map_or(FORM, |at| &model.choices[at].name);
+        let place = compare.place_of(name);
         let sign = place.map_or("[ ]".to_owned(), |at| format!("[{}]", mark(at)));
-        let chosen = i == compare.row;
-        let style = if chosen { theme.focus() } else { theme.text() };
+        let texts = [format!("{FORM} {}", model.work.name()), FORM.to_owned()];
         let called = match place {
-            _ if name == FORM => {
-                let texts = [format!("{FORM} {}", model.work.name()), FORM.to_owned()];
-                longest_fitting(&texts, wide - 6).to_owned()
-            }
-            Some(at) => entries[at].name.clone(),
-            None => name.to_owned(),
+            _ if name == FORM => longest_fitting(&texts, wide - 6),
+            Some(at) => &compare.entries[at].name,
+            None => name,
         };
-        let text = fitted(brief(&called), usize::from(wide) - 6);
-        let lit = place.map_or(theme.text(), |at| theme.curve(at));
-        sheet.put((1, y), sign, lit);
-        sheet.put((5, y), text, style);
+        let row = &mut sheet.at(row);
+        row.put((1, 0), sign, place.map_or(theme.text(), |at| theme.curve(at)));
+        let style = if i == compare.row { theme.focus() } else { theme.text() };
+        row.put((5, 0), fitted(brief(called), usize::from(wide) - 6), style);
     }
     let charts = &mut sheet.part((wide, 1), (area.width - wide, area.height - 1));
     if compare.entries.is_empty() {
-        let texts = [
-            "Space marks the preset under the cursor,",
-            "/ finds presets by letters and marks them, with a speed: squash@30",
-        ];
-        let room = usize::from(charts.area.width.saturating_sub(2));
-        let lines = texts.iter().flat_map(|text| wrapped(text, room));
-        charts.put_lines((1, 1), lines, theme.quiet());
+        let text = "Space marks the preset under the cursor,";
+        let below = charts.put_wrapped((1, 1), text, theme.quiet());
+        let text = "/ finds presets by letters and marks them, with a speed: squash@30";
+        charts.put_wrapped((1, below), text, theme.quiet());
     } else {
-        overlaid(compare, model, compare.curve(), charts);
+        overlaid(compare, model, charts);
     }
 }
 
@@ -143,138 +127,234 @@ const CHART: u16 = 5;
 
 fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let area = sheet.area;
-    heading(compare, &marked(compare), sheet);
+    heading(compare, sheet);
     let count = compare.entries.len() as u16;
-    let numbers = columns(compare, area);
     let room = area.height - 1;
     // What to believe gives way before the errors do, and those before the chart.
     let fits = |each: &u16| 2 + each * count + CHART <= room;
     let each = (1..=3).rev().find(fits).unwrap_or(1);
     let rows = (2 + each * count).min(room);
-    let place = &mut sheet.part((0, 1), (area.width, rows));
-    table(compare, model, each, &numbers, place);
+    table(compare, model, each, &mut sheet.part((0, 1), (area.width, rows)));
     let below = room - rows;
     if below >= CHART {
-        let place = &mut sheet.part((0, 1 + rows), (area.width, below));
-        overlaid(compare, model, compare.curve(), place);
+        overlaid(compare, model, &mut sheet.part((0, 1 + rows), (area.width, below)));
     }
 }
 
-fn title(column: ComparisonColumn) -> (&'static str, &'static str) {
-    match column {
-        ComparisonColumn::Name => ("preset", ""),
-        ComparisonColumn::Result(quantity) => (quantity.row().short, quantity.row().unit),
-    }
-}
-
-/// Columns from the end of a number to that of the next: room for the longest name and the mark of
-/// sorting.
+/// Columns of a number: room for the longest name and the mark of sorting.
 const EACH: u16 = 10;
 /// Room for the name that is never given to numbers.
 const NAME: u16 = 20;
 
-/// Where each column of numbers ends, as many as fit; the one with the cursor is among them.
-fn columns(compare: &Comparison, area: Rect) -> Vec<(ComparisonColumn, u16)> {
+/// The results that fit, the one with the cursor among them, and where the column of each ends.
+fn columns(compare: &Comparison, area: Rect) -> Vec<(Quantity, u16)> {
     let columns = compare.columns();
     let count = usize::from((area.width - NAME) / EACH).min(columns.len() - 1);
     let first = compare.column.clamp(count, columns.len() - 1) + 1 - count;
-    let right = |i: usize| NAME + EACH * (i as u16 + 1);
-    let shown = columns.into_iter().skip(first).take(count).enumerate();
-    shown.map(|(i, column)| (column, right(i))).collect()
+    let results = columns.into_iter().skip(first).filter_map(|column| match column {
+        ComparisonColumn::Name => None,
+        ComparisonColumn::Result(of) => Some(of),
+    });
+    results.zip((1..).map(|i| NAME + EACH * i)).take(count).collect()
 }
 
-fn table(
-    compare: &Comparison,
-    model: &AppModel,
-    each: u16,
-    numbers: &[(ComparisonColumn, u16)],
-    sheet: &mut Sheet,
-) {
+fn table(compare: &Comparison, model: &AppModel, each: u16, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
+    let numbers = columns(compare, area);
     let focused = compare.pane == TABLE && model.overlay.is_none();
-    for &(column, right) in std::iter::once(&(ComparisonColumn::Name, 0)).chain(numbers) {
-        let (name, unit) = title(column);
+    let heading = |column: ComparisonColumn, name: &str| {
         let sign = match compare.sorting() {
             Some((by, true)) if by == column => "▾",
             Some((by, false)) if by == column => "▴",
             _ => "",
         };
         let here = focused && column == compare.here();
-        let style = if here { theme.focus() } else { theme.heading() };
-        let text = format!("{sign}{name}");
-        if column == ComparisonColumn::Name {
-            sheet.put((1, 0), &text, style);
-        } else {
-            sheet.put_right((right, 0), &text, style);
-            sheet.put_right((right, 1), unit, theme.quiet());
-        }
+        (format!("{sign}{name}"), if here { theme.focus() } else { theme.heading() })
+    };
+    let (text, style) = heading(ComparisonColumn::Name, "preset");
+    sheet.put((1, 0), text, style);
+    for (of, right) in &numbers {
+        let (text, style) = heading(ComparisonColumn::Result(*of), of.row().short);
+        sheet.put_right((*right, 0), text, style);
+        sheet.put_right((*right, 1), of.row().unit, theme.quiet());
     }
     let hidden = compare.columns().len() - 1 - numbers.len();
     if hidden > 0 {
-        let text = format!("←→ {hidden} more");
-        sheet.put((1, 1), &text, theme.quiet());
+        sheet.put((1, 1), format!("←→ {hidden} more"), theme.quiet());
     }
-    for (i, entry) in compare.sorted().into_iter().enumerate() {
-        let at = compare.entries.iter().position(|e| e.name == entry.name);
-        let here = focused && i == compare.entry;
+    for (i, at) in compare.sorted().into_iter().enumerate() {
         let place = &mut sheet.part((0, 2 + each * i as u16), (area.width, each));
-        row(entry, (at.unwrap_or(0), numbers), place);
-        if here {
+        row(&compare.entries[at], (at, &numbers), place);
+        if focused && i == compare.entry {
             place.put((0, 0), "▸", theme.strong());
         }
     }
 }
 
-fn row(entry: &Marked, (place, numbers): (usize, &[(ComparisonColumn, u16)]), sheet: &mut Sheet) {
+/// The answer of an entry, or else it is said at a cell why there is none.
+fn answered<'a>(entry: &'a Marked, at: (u16, u16), sheet: &mut Sheet) -> Option<&'a ShownAnswer> {
+    let theme = sheet.theme;
+    match &entry.found {
+        Found::Answer(shown) => return Some(shown),
+        Found::Awaited => sheet.put(at, "simulating", theme.quiet()),
+        Found::Refused(why) => {
+            let room = sheet.area.width.saturating_sub(at.0 + 1);
+            sheet.put(at, fitted(why, room.into()), theme.error())
+        }
+    };
+    None
+}
+
+fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let room = usize::from(NAME) - 3;
-    let sign = mark(place).to_string();
-    sheet.put((1, 0), &sign, theme.curve(place));
+    sheet.put((1, 0), mark(place).to_string(), theme.curve(place));
     sheet.put((3, 0), fitted(brief(&entry.name), room), theme.strong());
     // In a row of one line what there is to say stands beside the name.
     let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
-    let wide = usize::from(area.width.saturating_sub(said.0 + 1));
-    let answer = match &entry.found {
-        Found::Awaited => {
-            sheet.put(said, "simulating", theme.quiet());
-            return;
-        }
-        Found::Refused(why) => {
-            sheet.put(said, fitted(why, wide), theme.error());
-            return;
-        }
-        Found::Answer(shown) => &shown.answer,
+    let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else {
+        return;
     };
-    for &(column, right) in numbers {
-        let (value, error) = cell(answer, column, !entry.without_mesh);
-        let style = match column {
-            ComparisonColumn::Result(_) if answer.spoiled().is_some() => theme.quiet(),
-            _ => theme.text(),
-        };
-        sheet.put_right((right, 0), &value, style);
-        sheet.put_right((right, 1), &error, theme.quiet());
+    let style = if answer.spoiled().is_some() { theme.quiet() } else { theme.text() };
+    for (of, right) in numbers {
+        let (value, error) = cell(answer, *of, !entry.without_mesh);
+        sheet.put_right((*right, 0), &value, style);
+        sheet.put_right((*right, 1), &error, theme.quiet());
     }
     if !answer.flags.is_empty() {
         let flags = answer.flags.iter().map(|flag| flag.kind.words());
-        let names = flags.collect::<Vec<_>>().join(", ");
+        let plural = if answer.flags.len() == 1 { "" } else { "s" };
         let texts = [
-            names,
-            format!(
-                "{} warning{}",
-                answer.flags.len(),
-                if answer.flags.len() == 1 { "" } else { "s" }
-            ),
+            flags.collect::<Vec<_>>().join(", "),
+            format!("{} warning{plural}", answer.flags.len()),
         ];
-        let text = longest_fitting(&texts, room as u16);
-        sheet.put((3, 1), text, theme.warning());
+        sheet.put((3, 1), longest_fitting(&texts, room as u16), theme.warning());
     }
-    sheet.put((3, 2), belief(answer, usize::from(area.width) - 4), theme.text());
-}
-
-/// What to believe of the gravest injury, in the longest words that there is room for.
-fn belief(answer: &Answer, room: usize) -> String {
-    match answer.risks().first() {
+    // What to believe of the gravest injury, in the longest words that there is room for.
+    let room = usize::from(area.width) - 4;
+    let belief = match answer.risks().first() {
         Some(risk) => longest(risk, room),
         None => fitted(&first_line(answer), room),
+    };
+    sheet.put((3, 2), belief, theme.text());
+}
+
+/// A result with as many digits as its error allows, and that error, which the mesh may still add
+/// to; of a risk its range and its word.
+fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
+    let risk = Injury::of(of).and_then(|injury| answer.risk(injury));
+    if let (Some(risk), Some(range)) = (risk, range(answer, of)) {
+        let word = risk.word();
+        // One of several words says no more than the range.
+        return (range, if word.contains(' ') { String::new() } else { word });
+    }
+    match Figure::of(answer, of) {
+        None => ("-".to_owned(), String::new()),
+        Some(Figure { number, off: Off::Known(_), .. })
+            if mesh_comes && answer.errors.mesh.is_none() =>
+        {
+            (number, "mesh …".to_owned())
+        }
+        Some(Figure { number, off, .. }) => (number, off.to_string().replace(' ', "")),
+    }
+}
+
+/// One curve of every entry in one chart.
+fn overlaid(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
+    let (theme, course) = (sheet.theme, compare.curve());
+    let row = course.row();
+    let Some(window) = compare.window() else {
+        return;
+    };
+    // Each on the time of the first.
+    let times = compare.entries.iter().map(|entry| {
+        let answer = entry.answer()?;
+        let shift = compare.shift(answer);
+        let times = answer.run.traces.as_ref()?.time.iter();
+        Some(times.map(|time| time - shift).collect::<Vec<f64>>())
+    });
+    let times: Vec<_> = times.map(Option::unwrap_or_default).collect();
+    let (mut labels, mut curves) = (Vec::new(), Vec::new());
+    for (i, (entry, time)) in compare.entries.iter().zip(&times).enumerate() {
+        let Some(traces) = entry.answer().and_then(|answer| answer.run.traces.as_ref()) else {
+            continue;
+        };
+        // What drives the eye is a load for some and a contact for others.
+        labels.push(course.label(traces));
+        let values = course.values(traces);
+        if !values.is_empty() {
+            let ink = Ink::solid(theme.curve(i), 2 + i as u8, mark(i));
+            // Without colours, dots of different spacing tell the curves apart.
+            let ink = if theme.is_mono() { ink.dotted(1 + (i % 4) as u8) } else { ink };
+            curves.push(TimeCurve { time, values, factor: row.factor, ink });
+        }
+    }
+    labels.sort_unstable_by(|a, b| b.cmp(a));
+    labels.dedup();
+    let cursor = compare.time(model);
+    let ms = format!("{:.3} ms", cursor * 1e3);
+    TimeChart {
+        title: &format!("{}, {}", labels.join(" or "), row.unit),
+        reading: &match compare.alignment {
+            Alignment::Clock => ms,
+            other => format!("{}, {ms}", other.words()),
+        },
+        curves,
+        span: (0.0, window),
+        cursor,
+    }
+    .draw(sheet);
+}
+
+/// Side by side, all at the same time and on the same scale of force.
+fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    heading(compare, sheet);
+    let entries = &compare.entries;
+    if entries.is_empty() {
+        return;
+    }
+    // All are filled with the same on one scale, as far as they have it.
+    let answers = || entries.iter().filter_map(shown);
+    let largest = answers().map(|shown| shown.hottest).fold(0.0, f64::max);
+    let wanted = answers().find_map(|shown| model.clock.field(&shown.fields));
+    let wanted = wanted.map(|(field, _)| field);
+    let own = |shown: &ShownAnswer| {
+        shown.fields.iter().copied().find(|(field, _)| Some(*field) == wanted)
+    };
+    let end = answers().filter_map(own).map(|(_, end)| end).fold(0.0, f64::max);
+    let field = |shown: &ShownAnswer| {
+        let own = own(shown).map(|(field, _)| (field, end));
+        own.or_else(|| model.clock.field(&shown.fields))
+    };
+    let zoom = match model.clock.zoom() {
+        1 => String::new(),
+        times => format!("  shown {times}x larger"),
+    };
+    let (time, aligned) = (compare.time(model), compare.alignment.words());
+    let text = format!("{:.3} ms{zoom}  {aligned}", time * 1e3);
+    sheet.put_right((area.width - 1, 0), &text, theme.strong());
+    let count = entries.len() as u16;
+    let rows = if count > 3 { 2 } else { 1 };
+    let mut pictures = sheet.at(below(area, 1));
+    for (i, entry) in entries.iter().enumerate() {
+        let place = &mut pictures.tile(i, (count.div_ceil(rows), rows));
+        let (width, height) = (place.area.width, place.area.height);
+        let name = fitted(brief(&entry.name), usize::from(width) - 4);
+        place.put((1, 0), mark(i).to_string(), theme.curve(i));
+        place.put((3, 0), name, theme.strong());
+        let Some(shown) = answered(entry, (1, 2), place) else {
+            continue;
+        };
+        let time = time + compare.shift(&shown.answer);
+        let time = time.clamp(0.0, shown.answer.window());
+        let picture = place.part((0, 1), (width - 1, height - 1));
+        EyePicture {
+            largest,
+            field: field(shown),
+            blow: Some(&entry.scenario),
+            ..EyePicture::of(model, shown, time)
+        }
+        .draw(picture.area, picture.buffer);
     }
 }

@@ -7,32 +7,27 @@ mod traces;
 mod view;
 
 use ratatui::layout::Rect;
+use std::iter::successors;
 use std::mem::discriminant;
 
-use crate::scenario::fields::Field;
-use crate::scenario::{Scenario, fields};
+use crate::scenario::{Scenario, fields, fields::Field};
 use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{
     DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
 };
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::screens::screen::{About, Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
+use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::{changes::edit::change, ensemble::FEW};
 use crate::tui::{model::AppModel, step::Step, view::eye, view::sheet::Sheet};
 use form::{DIAL, FORM};
 
+/// What the screen answers.
+pub(super) const QUESTION: &str = "How bad?";
 /// Small steps in place of a large one, at most.
 const MAX_SMALL_STEPS: usize = 20;
 const ANGLE: &str = "impact.angle_deg";
 const HALF_WIDTH: &str = "impact.half_width_deg";
-
-pub(super) const ABOUT: About = About {
-    title: "Main",
-    question: score::QUESTION,
-    purpose: "form, injuries, eye, curves",
-    new: || Box::new(Main::default()),
-};
 
 /// The place of the pane with the focus, and what is drawn over time.
 #[derive(Default)]
@@ -66,22 +61,16 @@ const fn typed(
     binding
 }
 
-const NUMBER_KEYS: PaneKeys<Main> = PaneKeys::when(
-    |_, model| model.form.takes_numbers(),
-    "Form: a number",
-    &[typed(NUMERALS, "type", "begin to type a value")],
-);
+const NUMBER_KEYS: PaneKeys<Main> =
+    PaneKeys::new("Form: a number", &[typed(NUMERALS, "type", "begin to type a value")])
+        .when(|_, model| model.form.takes_numbers());
 
 /// A digit never leaves the form: whoever types one means a value.
-const OTHER_KEYS: PaneKeys<Main> = PaneKeys::when(
-    |_, model| !model.form.takes_numbers(),
-    "Form: another row",
-    &[typed(
-        NUMERALS.first_chunk::<10>().unwrap().as_slice(),
-        "",
-        "nothing: F2 or Alt-2 shows a screen",
-    )],
-);
+const OTHER_KEYS: PaneKeys<Main> =
+    PaneKeys::new("Form: another row", &[NO_VALUE]).when(|_, model| !model.form.takes_numbers());
+
+const NO_VALUE: Binding<Act<Main>> =
+    typed(NUMERALS.split_at(10).0, "", "nothing: F2 or Alt-2 shows a screen");
 
 #[rustfmt::skip]
 const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
@@ -158,23 +147,18 @@ fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
 
 /// Takes another value of a field, or says why it may not be there.
 fn take(model: &mut AppModel, path: &'static str, outcome: Result<Scenario, String>) {
-    match outcome {
-        Ok(scenario) => {
-            let another_model =
-                discriminant(&scenario.model) != discriminant(&model.work.scenario.model);
-            let work = model.work.with(scenario);
-            change(model, work, path);
-            if path == "impact" && another_model {
-                model.notice =
-                    Some("objects need the Physiological model: it is taken now".to_owned());
-            }
-        }
-        Err(why) => model.form.complaint = Some(why),
+    let scenario = match outcome {
+        Ok(scenario) => scenario,
+        Err(why) => return model.form.complaint = Some(why),
+    };
+    let another_model = discriminant(&scenario.model) != discriminant(&model.work.scenario.model);
+    change(model, model.work.with(scenario), path);
+    if path == "impact" && another_model {
+        model.notice = Some("objects need the Physiological model: it is taken now".to_owned());
     }
 }
 
-/// The scenario one step further; where a rule forbids a large step, as many small ones as it
-/// allows.
+/// The scenario one step further; where a rule forbids a large one, as many small ones as it lets.
 fn furthest(
     scenario: &Scenario,
     field: &Field,
@@ -186,14 +170,9 @@ fn furthest(
         return whole;
     }
     let small = Step { coarse: false, ..step };
-    let mut reached: Option<Scenario> = None;
-    for _ in 0..MAX_SMALL_STEPS {
-        match nudged(reached.as_ref().unwrap_or(scenario), field, small, present) {
-            Ok(next) => reached = Some(next),
-            Err(_) => break,
-        }
-    }
-    reached.map_or(whole, Ok)
+    let further = |reached: &Scenario| nudged(reached, field, small, present).ok();
+    let steps = successors(further(scenario), further).take(MAX_SMALL_STEPS);
+    steps.last().map_or(whole, Ok)
 }
 
 impl Screen for Main {
@@ -216,38 +195,32 @@ impl Screen for Main {
     /// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, area: Rect) -> bool {
         let parts = view::layout(area, model.form.advanced);
-        let row_at = |model: &AppModel, pane: usize, (x, y): (u16, u16)| {
-            let rows = form::visible(model, pane, parts.form);
-            let inside = parts.form.contains((x, y).into());
-            inside.then(|| rows.get(usize::from(y - parts.form.y)).copied())
-        };
+        let (Mouse::Press(at) | Mouse::Drag(at) | Mouse::Wheel(at, _)) = mouse;
+        let in_form = parts.form.contains(at.into());
         match mouse {
-            Mouse::Press(at) => {
-                if let Some(row) = row_at(model, self.pane, at) {
-                    self.press_row(model, row);
-                }
-                let on_dial = parts.eye.contains(at.into());
-                if on_dial {
-                    self.pane = DIAL;
-                    aim(model, at, parts.eye);
-                }
-                return on_dial;
+            Mouse::Press(_) if in_form => {
+                let rows = form::visible(model, self.pane, parts.form);
+                self.press_row(model, rows.get(usize::from(at.1 - parts.form.y)).copied());
             }
-            Mouse::Drag(at) => aim(model, at, parts.eye),
+            Mouse::Press(_) if parts.eye.contains(at.into()) => {
+                self.pane = DIAL;
+                aim(model, at, parts.eye);
+                return true;
+            }
+            Mouse::Press(_) => {}
+            Mouse::Drag(_) => aim(model, at, parts.eye),
             // Up is more of a value, and backwards in a list and in time.
-            Mouse::Wheel(at, by) => {
+            Mouse::Wheel(_, by) => {
                 model.form.complaint = None;
-                match row_at(model, self.pane, at) {
+                if in_form {
                     // A wheel that scrolls must not change what it passes over.
-                    Some(_) => {
-                        let rows = if by.up { -1 } else { 1 };
-                        model.form.move_cursor(&model.work.scenario, rows);
-                    }
-                    None => self.step_time(model, by.reversed()),
+                    model.form.move_cursor(&model.work.scenario, if by.up { -1 } else { 1 });
+                } else {
+                    self.step(model, by.reversed());
                 }
             }
         }
-        true
+        false
     }
 }
 
@@ -268,16 +241,14 @@ impl Main {
 
 /// Turns the blow to where the mouse is, by whole degrees.
 fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
-    let Some(field) = fields::find(ANGLE) else {
+    let (Some(field), Some(shown)) = (fields::find(ANGLE), &model.shown) else {
         return;
     };
-    let Some(shown) = &model.shown else { return };
     let detail = model.clock.detail(shown.drawing.object.is_some());
     let drawn = view::drawn_in(picture, detail);
-    let angle = eye::angle_at(drawn, shown, model.look, detail, at).to_degrees();
+    let angle = eye::angle_at(drawn, model, shown, at).to_degrees();
     // Minus zero would be written with its sign.
     let text = (angle.round() + 0.0).to_string();
     model.form.complaint = None;
-    let outcome = with_text(&model.work.scenario, field, &text);
-    take(model, ANGLE, outcome);
+    take(model, ANGLE, with_text(&model.work.scenario, field, &text));
 }

@@ -2,8 +2,7 @@
 
 use crate::models::pulse::Pulse;
 use crate::report::format::significant;
-use crate::scenario::problem::plain;
-use crate::scenario::{Impact, PulseShape, Scenario};
+use crate::scenario::{Impact, PulseShape, Scenario, problem::plain};
 
 /// Columns of the drawing.
 const COLUMNS: usize = 20;
@@ -17,20 +16,19 @@ pub fn described(scenario: &Scenario, path: &str) -> Option<String> {
         return None;
     };
     let peak = format!("peak {} N", significant(pulse.peak_n()));
-    let PulseShape::Table(curve) = &pulse.shape else {
-        return (path == "impact.shape").then(|| drawn(&Pulse::new(pulse)));
-    };
-    match path {
-        "impact.shape" => {
-            Some(format!("{} {} knots, {peak}", drawn(&Pulse::new(pulse)), curve.knots().len()))
+    let drawn = || drawn(&Pulse::new(pulse));
+    Some(match (path, &pulse.shape) {
+        ("impact.shape", PulseShape::Table(curve)) => {
+            format!("{} {} knots, {peak}", drawn(), curve.knots().len())
         }
-        "impact.force_n" => Some(format!("of a share of 1; {peak}")),
-        "impact.duration_ms" => Some(format!(
-            "stretches the table, which was recorded over {} ms",
-            plain(curve.last_ms())
-        )),
-        _ => None,
-    }
+        ("impact.shape", _) => drawn(),
+        ("impact.force_n", PulseShape::Table(_)) => format!("of a share of 1; {peak}"),
+        ("impact.duration_ms", PulseShape::Table(curve)) => {
+            let last = plain(curve.last_ms());
+            format!("stretches the table, which was recorded over {last} ms")
+        }
+        _ => return None,
+    })
 }
 
 /// The force from the start of the blow to its end; the lowest block is 0 or the strongest pull.

@@ -1,8 +1,6 @@
 //! The curves of the main screen: force of contact, pressure and stretch of an eye that is hit, the
 //! node forces of the paper's, each with its peak, its error and its zero line.
 
-use ratatui::layout::Rect;
-
 use crate::answer::solve::Answer;
 use crate::report::figure::Figure;
 use crate::run::{kept::Peak, quantity::Quantity, trace::Trace};
@@ -14,8 +12,7 @@ use crate::tui::{model::AppModel, shown::ShownAnswer, view::raster::Ink, view::s
 /// are asked for and where there is nothing else.
 fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
     let peaks = |all: &[Quantity]| -> Vec<(Quantity, Peak)> {
-        let all = all.iter();
-        all.filter_map(|q| Some((*q, answer.peak(*q)?))).collect()
+        all.iter().filter_map(|q| Some((*q, answer.peak(*q)?))).collect()
     };
     let felt = peaks(&Quantity::FELT);
     if nodes || felt.is_empty() { peaks(&Quantity::FORCES) } else { felt }
@@ -33,44 +30,39 @@ const LONGEST: usize = 7;
 /// time, and at last the error.
 fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
     let name = of.row().short;
-    let ms = peak.time * 1e3;
-    let times = match room {
-        TIMED.. => vec![format!("at {ms:.3} ms"), format!("{ms:.3}ms"), format!("{ms:.2}ms")],
-        _ => vec![String::new()],
-    };
+    let label = of.row().trace.map_or(name, |trace| trace.label);
     let brief = match name.get(..LONGEST - 2) {
-        Some(start) if name.len() > LONGEST => format!("{start}."),
-        _ => name.to_owned(),
+        Some(start) if name.len() > LONGEST => &format!("{start}."),
+        _ => name,
     };
-    let whole = figure.to_string();
+    let ms = peak.time * 1e3;
+    let times = [format!("at {ms:.3} ms"), format!("{ms:.3}ms"), format!("{ms:.2}ms")];
+    let times = times.into_iter().filter(|_| room >= TIMED);
     let tight = format!("{} {}", figure.signed(), figure.off);
     let tight = tight.trim_end().replace(" %", "%");
     let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
     let closest = close.replace(' ', "");
-    let bare = |count| figure.coarser(count).signed().replace(' ', "");
+    let texts = [figure.to_string(), tight, close, closest];
     let small = figure.off.percent().is_some_and(|error| error < 1.0);
     let error = figure.off.to_string().replace(' ', "");
     let least = if small { "±<1%" } else { &error };
-    let closer = [(3, &error[..]), (2, &error), (2, least)];
-    let closer = closer.map(|(count, error)| bare(count) + error);
-    let bare = bare(2);
-    let none = String::new();
     let mut candidates = Vec::new();
-    let label = of.row().trace.map_or(name, |trace| trace.label);
-    for time in times.iter().chain([&none]) {
-        for name in [label, name, &brief] {
-            for text in [&whole, &tight, &close, &closest] {
+    for time in times.chain([String::new()]) {
+        for name in [label, name, brief] {
+            for text in &texts {
                 candidates.push((name.to_owned(), text.clone(), time.clone()));
             }
         }
     }
-    candidates.extend(closer.map(|text| (brief.clone(), text, none.clone())));
-    let wide = |(name, text, time): &(String, String, String)| {
+    for (count, error) in [(3, &error[..]), (2, &error), (2, least), (2, "")] {
+        let number = figure.coarser(count).signed().replace(' ', "");
+        candidates.push((brief.to_owned(), number + error, String::new()));
+    }
+    let fits = |(name, text, time): &&(String, String, String)| {
         let after = if time.is_empty() { 0 } else { width(time) + 1 };
-        width(name) + 1 + width(text) + after
+        width(name) + 1 + width(text) + after <= room
     };
-    let mut fitting = candidates.into_iter().filter(|parts| wide(parts) <= room);
-    fitting.next().unwrap_or((brief, bare, none))
+    candidates.iter().find(fits).or(candidates.last()).cloned().unwrap_or_default()
 }
 
 /// Draws the curves, each with its peak and when it came, and below them their time.
@@ -94,6 +86,8 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         sheet.put_right((area.width, height), end, theme.quiet());
     }
     let each = (height / count).max(1);
+    let spoiled = shown.answer.spoiled().is_some();
+    let style = if spoiled { theme.quiet() } else { theme.strong() };
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = each * i as u16;
         let Some(figure) = Figure::of(&shown.answer, quantity) else {
@@ -104,12 +98,9 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         }
         let (label, value, time) = caption(quantity, &figure, peak, area.width);
         sheet.put((0, top), &label, theme.heading());
-        let left = area.width - width(&time);
-        sheet.put((left, top), &time, theme.quiet());
-        let right = if time.is_empty() { left } else { left - 1 };
-        let spoiled = shown.answer.spoiled().is_some();
-        let style = if spoiled { theme.quiet() } else { theme.strong() };
-        sheet.put_right((right, top), &value, style);
+        sheet.put_right((area.width, top), &time, theme.quiet());
+        let beside = if time.is_empty() { 0 } else { width(&time) + 1 };
+        sheet.put_right((area.width - beside, top), &value, style);
         let values = values(&quantity);
         if each < 2 || values.is_empty() {
             continue;
@@ -133,19 +124,18 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
 /// Draws what else there is over time with its axes, as many as there is room for: the stress of
 /// the wall and how far the cornea is pushed in.
 pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
+    let theme = sheet.theme;
     let Some(traces) = &shown.answer.run.traces else {
         return;
     };
     let of = [Quantity::ScleralStress, Quantity::Apex, Quantity::ShellGrowth];
     let there = |of: &Quantity| !Trace::Of(*of).values(traces).is_empty();
     let there: Vec<Quantity> = of.into_iter().filter(there).take(2).collect();
-    let each = area.height / there.len().max(1) as u16;
-    for (i, of) in (0..).zip(there) {
+    let rows = there.len() as u16;
+    for (i, of) in there.into_iter().enumerate() {
         let (course, row) = (Trace::Of(of), of.row());
         let values = course.values(traces);
         let reading = Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}"));
-        let place = Rect { y: area.y + each * i, height: each, ..area };
         TimeChart {
             title: &format!("{}, {}", course.label(traces), row.unit),
             reading: &reading.unwrap_or_default(),
@@ -153,12 +143,12 @@ pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
                 time: &traces.time,
                 values,
                 factor: row.factor,
-                ink: Ink::solid(theme.curve(i.into()), 2, '*'),
+                ink: Ink::solid(theme.curve(i), 2, '*'),
             }],
             span: active(&traces.time, std::iter::once(values), shown.answer.window()),
             cursor: model.time(),
         }
-        .draw(&mut sheet.at(place));
+        .draw(&mut sheet.tile(i, (1, rows)));
     }
 }
 
@@ -174,7 +164,7 @@ mod tests {
                 let figure = Figure {
                     number: number.to_owned(),
                     unit: quantity.row().unit,
-                    off: Off::Both(error),
+                    off: Off::Known(error),
                     cut: None,
                 };
                 let peak = Peak { value: 1.0, time: 12.345e-3 };

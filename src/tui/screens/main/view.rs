@@ -4,22 +4,20 @@ use ratatui::layout::Rect;
 
 use crate::injury::Injury;
 use crate::tui::screens::main::{form, score, traces};
-use crate::tui::view::{below, eye::EyePicture, risks::signs, sheet::Sheet, text::wrapped};
+use crate::tui::view::{below, eye::EyePicture, risks::signs, sheet::Sheet};
 use crate::tui::{
     clock::MeshDetail, model::AppModel, screens::main::form::DIAL, shown::ShownAnswer,
 };
 
 /// Where the parts of the screen are.
 pub struct Layout {
-    /// The form.
     pub form: Rect,
     /// All at its right.
     right: Rect,
     /// Whether the answers stand at the right of the eye, with charts below them.
     wide: bool,
-    /// What to believe of each injury.
     answers: Rect,
-    /// What limits that.
+    /// What limits those.
     limits: Rect,
     /// The paper's index.
     index: Rect,
@@ -48,56 +46,39 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
         70..100 => 29,
         _ => 34,
     };
-    let signs = signs(area.width).len() as u16;
-    let height = area.height - signs;
+    let height = area.height - signs(area.width).len() as u16;
     let wide = area.width >= WIDE && height >= HIGH;
-    let form = Rect { width: left, height, ..area };
-    let right = Rect::new(area.x + left + 1, area.y, area.width - left - 1, height);
-    // From top to bottom in one column: what to believe, what limits it, the index.
+    let mut form = Rect { width: left, height, ..area };
+    let right = Rect::new(form.right() + 1, area.y, area.width - left - 1, height);
+    // Downwards in one column: what to believe, what limits it, the index, and charts or the eye.
     let (each, limits, index) = match height {
         _ if wide => (2 * LINES - 1, 6, score::BLOCK),
         30.. => (LINES, 3, score::BLOCK),
         _ => (LINES, 2, 1),
     };
-    let (x, width) =
-        if wide { (area.x + area.width - ANSWERS, ANSWERS) } else { (right.x, right.width) };
-    let part = |y: u16, height: u16| Rect::new(x, area.y + y, width - u16::from(wide), height);
-    let answers = part(0, each);
     let gap = u16::from(wide);
-    let limits = part(each + gap, limits);
-    let index = part(each + gap + limits.height, index);
-    let used = each + gap + limits.height + index.height;
-    let upper = if wide { 0 } else { used };
-    let picture = Rect {
-        y: right.y + upper,
-        width: if wide { right.width - ANSWERS - 2 } else { right.width },
-        height: height - upper,
-        ..right
-    };
+    let beside = Rect::new(area.right() - ANSWERS, area.y, ANSWERS - 1, height);
+    let column = if wide { beside } else { right };
+    let answers = Rect { height: each, ..column };
+    let limits = Rect { height: limits, ..below(column, each + gap) };
+    let index = Rect { y: limits.bottom(), height: index, ..column };
+    let rest = below(column, index.bottom() - area.y);
+    let left_of_them = Rect { width: right.width.saturating_sub(ANSWERS + 2), ..right };
+    let picture = if wide { left_of_them } else { rest };
     let below_form = wide && !unfolded && height > FORM + 12;
-    let (form, traces, eye) = if below_form {
-        let rows = Rect { height: FORM, ..form };
-        (rows, below(form, FORM), picture.width)
+    let (mut eye, mut traces) = (picture, picture);
+    if below_form {
+        traces = below(form, FORM);
+        form.height = FORM;
     } else {
         // Room for the object beside the eye.
-        let eye = (picture.height * 27 / 10).min(picture.width * 6 / 10);
-        let eye = eye.min(picture.width.saturating_sub(traces::NARROWEST + 1));
-        let at = picture.x + eye + 1;
-        let beside = Rect::new(at, picture.y, picture.right() - at, picture.height);
-        (form, beside, eye)
-    };
-    Layout {
-        form,
-        right,
-        wide,
-        answers,
-        limits,
-        index,
-        charts: part(used + 1, height.saturating_sub(used + 1)),
-        eye: Rect::new(picture.x, picture.y, eye, picture.height),
-        traces,
-        signs: below(area, height),
+        let most = picture.width.saturating_sub(traces::NARROWEST + 1);
+        eye.width = (picture.height * 27 / 10).min(picture.width * 6 / 10).min(most);
+        traces.x = eye.right() + 1;
+        traces.width = picture.right() - traces.x;
     }
+    let (charts, signs) = (below(rest, 1), below(area, height));
+    Layout { form, right, wide, answers, limits, index, charts, eye, traces, signs }
 }
 
 /// Draws the screen; `nodes` says whether the curves are those of node forces.
@@ -105,19 +86,18 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let parts = layout(area, model.form.advanced);
     form::draw(pane, model, &mut sheet.at(parts.form));
-    for y in 0..parts.right.height {
-        sheet.put((parts.right.x - 1, y), "│", theme.line());
-    }
-    let signs = signs(area.width);
-    sheet.put_lines((0, area.height - parts.signs.height), signs, theme.heading());
+    let line_before = |part: Rect, columns: u16, sheet: &mut Sheet| {
+        let lines = std::iter::repeat_n("│", parts.right.height.into());
+        sheet.put_lines((part.x - columns, 0), lines, theme.quiet());
+    };
+    line_before(parts.right, 1, sheet);
+    sheet.at(parts.signs).put_lines((0, 0), signs(area.width), theme.heading());
     let Some(shown) = &model.shown else {
         waiting(model, &mut sheet.at(parts.right));
         return;
     };
     if parts.wide {
-        for y in 0..parts.right.height {
-            sheet.put((parts.answers.x - 2, y), "│", theme.line());
-        }
+        line_before(parts.answers, 2, sheet);
         traces::charts(model, shown, &mut sheet.at(parts.charts));
     }
     eye(model, shown, pane == DIAL, parts.eye, sheet);
@@ -136,14 +116,13 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
 
 /// Before the first result: what is being done, or why there is none.
 fn waiting(model: &AppModel, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
+    let theme = sheet.theme;
     let (text, style) = match (&model.run.complaint, form::simulating(model)) {
         (Some((_, why)), _) => (why.clone(), theme.error()),
         (None, Some(text)) => (text + "  (Esc cancels)", theme.text()),
         (None, None) => ("simulating".to_owned(), theme.text()),
     };
-    let lines = wrapped(&text, usize::from(area.width - 2));
-    sheet.put_lines((1, 1), &lines, style);
+    sheet.put_wrapped((1, 1), &text, style);
 }
 
 fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, sheet: &mut Sheet) {
@@ -169,8 +148,7 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, shee
     sheet.at(picture).put((0, 0), &caption, style);
 }
 
-/// Where in a picture the eye itself is drawn: a mesh has its caption above it, the anatomy places
-/// its own words.
+/// Where in a picture the eye is drawn: a mesh has its caption above, the anatomy its own words.
 pub fn drawn_in(picture: Rect, detail: MeshDetail) -> Rect {
     match detail {
         MeshDetail::Anatomy => picture,

@@ -11,13 +11,14 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
 use crate::injury::{Blow, Injury, Known, whole as whole_percent};
-use crate::many::map::{Grid, SIDE, Span};
+use crate::many::map::{Grid, MapReading, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
-use crate::report::picture::{Part, field::step};
+use crate::report::{picture::Part, picture::field::step};
 use crate::run::quantity::Quantity;
 use crate::scenario::{doubt::number, problem::plain, set::put_number};
-use crate::tui::screens::map::state::{Map, rounded};
+use crate::tui::screens::map::{Map, rounded};
+use crate::tui::screens::screen::state_of_work;
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{fitted, width, wrapped};
 use crate::tui::{model::AppModel, view::chart::axis_lines, view::theme::Theme};
@@ -33,33 +34,33 @@ const FOLDED: &str = "▒";
 /// Rows below the map: its axis, two of the reading, the legend.
 const BELOW: u16 = 5;
 
-/// What a result on the map may be off by, in %, at the least: no mesh error is estimated of its
-/// runs.
+/// A result on the map may be off by so many % at least: no mesh error is estimated of its runs.
 const MAPPED: f64 = 10.0;
 
-/// Draws the screen.
 pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let Some([x, y]) = map.spans else {
+    let Some(spans @ [x, y]) = map.spans else {
         let text = "this scenario has no two inputs to draw a map over";
         sheet.put((1, 1), text, theme.warning());
         return;
     };
-    let (said, style) = status(map, model, theme);
     let grid = map.grid(&model.work.scenario);
-    let quantity = grid.map_or(Quantity::Damage, |grid| map.quantity(grid));
-    let result = quantity.row();
-    let whole = whole(grid, quantity);
+    let of = grid.map_or(Quantity::Damage, |grid| map.quantity(grid));
+    let whole = whole(grid, of);
     let over = format!("{} across, {} up", x.field.label, y.field.label);
-    let name = capital(result.short);
-    let whole_name = format!("What if? {}: {over}", capital(result.label));
-    let axes_named = format!("{name}: {over}");
-    let full = format!("What if? {axes_named}");
-    let brief = format!("What if? {}", capital(result.label));
-    let briefer = format!("What if? {name}");
-    let titles = [&whole_name, &full, &axes_named, &brief, &briefer];
-    let titles = titles.map(String::as_str);
-    let titles = [&titles[..], &["What if?"]].concat();
+    let (label, short) = (capital(of.label()), capital(of.row().short));
+    let titles = [
+        format!("What if? {label}: {over}"),
+        format!("What if? {short}: {over}"),
+        format!("{short}: {over}"),
+        format!("What if? {label}"),
+        format!("What if? {short}"),
+        "What if?".to_owned(),
+    ];
+    let titles = titles.each_ref().map(String::as_str);
+    let known = grid.map_or_else(String::new, |grid| format!("{} runs", grid.known().0));
+    let stopped = map.task.complaint.as_ref().map(|(_, why)| why.as_str());
+    let (said, style) = state_of_work(map.task.pace(Some(SIDE * SIDE)), stopped, known, theme);
     sheet.put_both((&titles, theme.heading()), (&said, style));
     let (wide, high) = (LABELS + 2, BELOW + 1);
     let size = (area.width.saturating_sub(wide), area.height.saturating_sub(high));
@@ -68,36 +69,37 @@ pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
         sheet.put((1, 1), "too small for the map", theme.warning());
         return;
     }
-    axes((x, y), field, sheet);
+    axes(spans, field, sheet);
     let mut drawn = BTreeSet::new();
     if let Some(grid) = grid {
-        for row in 0..field.height {
-            for column in 0..field.width {
-                let (sign, style) = cell((grid, quantity, whole), (column, row), field, theme);
-                sheet.at(field).put((column, row), sign, style);
-                drawn.insert(sign);
-            }
+        let cells = Cells { grid, of, whole, field };
+        for at in field.positions().map(|at| (at.x - field.x, at.y - field.y)) {
+            let (sign, style) = cells.drawn(at, theme);
+            sheet.at(field).put(at, sign, style);
+            drawn.insert(sign);
         }
-        figures((grid, quantity, whole), field, sheet);
-        mark_scenario(model, (x, y), field, sheet);
+        cells.write_figures(&mut sheet.at(field));
+        let share = |span: Span| {
+            let (value, _) = number(span.field, &model.work.scenario)?;
+            let share = (value - span.from) / (span.to - span.from);
+            (0.0..=1.0).contains(&share).then_some(share)
+        };
+        if let (Some(x), Some(y)) = (share(x), share(y)) {
+            sheet.at(field).put(cell_at((x, y), field), "o", theme.warning());
+        }
     }
-    let (px, py) = map.place();
-    let at = (along(px, field.width), along(1.0 - py, field.height));
     let cursor = theme.focus().patch(theme.strong());
-    let place = &mut sheet.buffer[(field.x + at.0, field.y + at.1)];
-    place.set_style(Style::reset());
-    place.set_symbol("X").set_style(cursor);
-    let top = area.height - BELOW + 2;
-    let reading = reading(map, model, (x, y));
+    let mut map_sheet = sheet.at(field);
+    let place = map_sheet.cell(cell_at(map.place(), field));
+    place.set_style(Style::reset()).set_symbol("X").set_style(cursor);
     let room = usize::from(area.width - 2);
-    let lines = wrapped(&reading, room).into_iter().take(2);
-    sheet.put_lines((1, top), lines, theme.strong());
-    let unit = result.unit;
-    let part = |share: f64| rounded(share * whole).to_string();
+    let lines = wrapped(&reading(map, model), room).into_iter().take(2);
+    sheet.put_lines((1, area.height - BELOW + 2), lines, theme.strong());
+    let unit = of.row().unit;
     let steps = if whole == 100.0 && unit == "%" {
         "tens of %".to_owned()
     } else {
-        format!("steps of {}", with_unit(&part(0.1), unit))
+        format!("steps of {}", with_unit(&rounded(0.1 * whole).to_string(), unit))
     };
     let mut legend = format!("0-9: {steps}  {LINE} lines");
     for (sign, words) in [(ABOVE, "above that"), (FOLDED, "folded")] {
@@ -109,29 +111,12 @@ pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     sheet.put((1, area.height - 1), fitted(&legend, room), theme.quiet());
 }
 
-fn status(map: &Map, model: &AppModel, theme: Theme) -> (String, Style) {
-    let grid = map.grid(&model.work.scenario);
-    let all = SIDE * SIDE;
-    match (map.task.pace(Some(all)), grid) {
-        (Some(pace), _) => (format!("{pace}  Esc stops"), theme.warning()),
-        (None, _) if map.task.complaint.is_some() => {
-            ("stopped: m goes on".to_owned(), theme.warning())
-        }
-        (None, Some(grid)) => (format!("{} runs", grid.known().0), theme.quiet()),
-        (None, None) => (String::new(), theme.quiet()),
-    }
+/// The cell at a place on the map, from 0 to 1 across and up.
+fn cell_at((x, y): (f64, f64), field: Rect) -> (u16, u16) {
+    (along(x, field.width), along(1.0 - y, field.height))
 }
 
-/// The place of a cell on the map, from 0 to 1, and of one that may lie outside.
-fn place((column, row): (u16, u16), field: Rect) -> (f64, f64) {
-    (
-        f64::from(column) / f64::from(field.width - 1),
-        1.0 - f64::from(row) / f64::from(field.height - 1),
-    )
-}
-
-/// The whole of the scale: that of the result, or the first of 1, 2 and 5 times a power of ten
-/// that no value exceeds.
+/// The whole scale: the result's, or 1, 2 or 5 times a power of ten that no value exceeds.
 fn whole(grid: Option<&Grid>, quantity: Quantity) -> f64 {
     let round = |largest: f64| {
         let power = 10_f64.powf(largest.log10().floor());
@@ -143,99 +128,87 @@ fn whole(grid: Option<&Grid>, quantity: Quantity) -> f64 {
     own.or_else(|| round(largest.filter(|v| *v > 0.0)?)).unwrap_or(1.0)
 }
 
-fn cell(
-    (grid, quantity, whole): (&Grid, Quantity, f64),
-    at: (u16, u16),
+/// A result on the map, as it is drawn in cells.
+struct Cells<'a> {
+    grid: &'a Grid,
+    of: Quantity,
+    whole: f64,
     field: Rect,
-    theme: Theme,
-) -> (&'static str, Style) {
-    const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
-    let (x, y) = place(at, field);
-    let share = |x, y| Some(grid.read(quantity, (x, y))?.value? / whole);
-    let Some(reading) = grid.read(quantity, (x, y)) else {
-        return (" ", theme.quiet());
-    };
-    let Some(value) = reading.value.map(|value| value / whole) else {
-        return ("·", theme.quiet());
-    };
-    // What is harmless, or grave, looks so on every screen; of what is neither, more is lighter.
-    let row = quantity.row();
-    let heat = if row.risk {
-        theme.likelihood(value * whole / 100.0)
-    } else if row.whole.is_some() {
-        theme.gauge(value)
-    } else {
-        Style::new().fg(theme.part(Part::Globe, step(value, 1.0)))
-    };
-    let heat = if theme.is_mono() { heat } else { heat.add_modifier(Modifier::REVERSED) };
-    let crosses = |level: f64| {
+}
+
+impl Cells<'_> {
+    fn reading(&self, (column, row): (u16, u16)) -> Option<MapReading> {
+        let x = f64::from(column) / f64::from(self.field.width - 1);
+        let y = 1.0 - f64::from(row) / f64::from(self.field.height - 1);
+        self.grid.read(self.of, (x, y))
+    }
+
+    /// The share of the whole scale at a cell.
+    fn share(&self, at: (u16, u16)) -> Option<f64> {
+        Some(self.reading(at)?.value? / self.whole)
+    }
+
+    /// How a cell looks.
+    fn drawn(&self, at: (u16, u16), theme: Theme) -> (&'static str, Style) {
+        const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+        let Some(reading) = self.reading(at) else {
+            return (" ", theme.quiet());
+        };
+        let Some(value) = reading.value.map(|value| value / self.whole) else {
+            return ("·", theme.quiet());
+        };
         let next = [(at.0 + 1, at.1), (at.0, at.1 + 1)];
-        next.iter()
-            .filter(|(column, row)| *column < field.width && *row < field.height)
-            .filter_map(|next| {
-                let (x, y) = place(*next, field);
-                share(x, y)
-            })
-            .any(|other| (other < level) != (value < level))
-    };
-    if LINES.iter().any(|level| crosses(*level)) {
-        return (LINE, theme.strong());
-    }
-    if reading.folded {
-        return (FOLDED, heat);
-    }
-    if value > 1.0 {
-        return (ABOVE, heat);
-    }
-    let tenths = (value * 10.0).max(0.0) as usize;
-    (DIGITS[tenths.min(9)], heat)
-}
-
-/// Writes on each line its figure, on rows of their own.
-fn figures((grid, quantity, whole): (&Grid, Quantity, f64), field: Rect, sheet: &mut Sheet) {
-    let theme = sheet.theme;
-    let value = |column: u16, row: u16| {
-        let (x, y) = place((column, row), field);
-        Some(grid.read(quantity, (x, y))?.value? / whole)
-    };
-    for (i, level) in (1..).zip(LINES) {
-        let crossing = |row: u16| {
-            let mut columns = 1..field.width;
-            columns.find(|column| {
-                let (before, here) = (value(column - 1, row), value(*column, row));
-                before.zip(here).is_some_and(|(a, b)| (a < level) != (b < level))
-            })
-        };
-        let wanted = field.height * i / (LINES.len() as u16 + 2);
-        let mut rows: Vec<u16> = (0..field.height).collect();
-        rows.sort_by_key(|row| row.abs_diff(wanted));
-        let Some((row, column)) = rows.into_iter().find_map(|row| Some((row, crossing(row)?)))
-        else {
-            continue;
-        };
-        let text =
-            format!(" {} ", with_unit(&rounded(level * whole).to_string(), quantity.row().unit));
-        let left = column.saturating_sub(width(&text) / 2);
-        let left = left.min(field.width.saturating_sub(width(&text)));
-        let field = &mut sheet.at(field);
-        for x in 0..width(&text) {
-            field.cell((left + x, row)).reset();
+        let inside = |(x, y): &(u16, u16)| *x < self.field.width && *y < self.field.height;
+        let mut next = next.into_iter().filter(inside).filter_map(|next| self.share(next));
+        let crosses = |other: f64| LINES.iter().any(|level| (other < *level) != (value < *level));
+        if next.any(crosses) {
+            return (LINE, theme.strong());
         }
-        field.put((left, row), text, theme.strong());
+        // The harmless and the grave look so on every screen; of what is neither, more is lighter.
+        let row = self.of.row();
+        let heat = if row.risk {
+            theme.likelihood(value * self.whole / 100.0)
+        } else if row.whole.is_some() {
+            theme.gauge(value)
+        } else {
+            Style::new().fg(theme.part(Part::Globe, step(value, 1.0)))
+        };
+        let heat = if theme.is_mono() { heat } else { heat.add_modifier(Modifier::REVERSED) };
+        let sign = match value {
+            _ if reading.folded => FOLDED,
+            value if value > 1.0 => ABOVE,
+            value => DIGITS[((value * 10.0).max(0.0) as usize).min(9)],
+        };
+        (sign, heat)
     }
-}
 
-/// Marks where the scenario itself lies, if it is on the map.
-fn mark_scenario(model: &AppModel, (x, y): (Span, Span), field: Rect, sheet: &mut Sheet) {
-    let theme = sheet.theme;
-    let share = |span: Span| {
-        let (value, _) = number(span.field, &model.work.scenario)?;
-        let share = (value - span.from) / (span.to - span.from);
-        (0.0..=1.0).contains(&share).then_some(share)
-    };
-    if let (Some(x), Some(y)) = (share(x), share(y)) {
-        let at = (along(x, field.width), along(1.0 - y, field.height));
-        sheet.at(field).put(at, "o", theme.warning());
+    /// Writes on each line its figure, on rows of their own.
+    fn write_figures(&self, sheet: &mut Sheet) {
+        let field = self.field;
+        for (i, level) in (1..).zip(LINES) {
+            let crossing = |row: u16| {
+                (1..field.width).find(|column| {
+                    let (before, here) =
+                        (self.share((column - 1, row)), self.share((*column, row)));
+                    before.zip(here).is_some_and(|(a, b)| (a < level) != (b < level))
+                })
+            };
+            let wanted = field.height * i / (LINES.len() as u16 + 2);
+            let mut rows: Vec<u16> = (0..field.height).collect();
+            rows.sort_by_key(|row| row.abs_diff(wanted));
+            let mut crossings = rows.into_iter().filter_map(|row| Some((row, crossing(row)?)));
+            let Some((row, column)) = crossings.next() else {
+                continue;
+            };
+            let figure = rounded(level * self.whole).to_string();
+            let text = format!(" {} ", with_unit(&figure, self.of.row().unit));
+            let left = column.saturating_sub(width(&text) / 2);
+            let left = left.min(field.width.saturating_sub(width(&text)));
+            for x in 0..width(&text) {
+                sheet.cell((left + x, row)).reset();
+            }
+            sheet.put((left, row), text, sheet.theme.strong());
+        }
     }
 }
 
@@ -244,7 +217,7 @@ fn short(value: f64) -> String {
     plain(significant(value).parse().unwrap_or(value))
 }
 
-fn axes((x, y): (Span, Span), field: Rect, sheet: &mut Sheet) {
+fn axes([x, y]: [Span; 2], field: Rect, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let bottom = field.height;
     axis_lines(field, sheet);
@@ -252,60 +225,59 @@ fn axes((x, y): (Span, Span), field: Rect, sheet: &mut Sheet) {
     for (row, value) in [(0, y.to), (bottom / 2, middle(y)), (bottom - 1, y.from)] {
         sheet.put_right((LABELS, 1 + row), short(value), theme.quiet());
     }
-    let row = 2 + bottom;
-    let (left, right) = (LABELS + 1, area.width - 1);
+    let (left, row) = (LABELS + 1, 2 + bottom);
     sheet.put((left, row), short(x.from), theme.quiet());
     let text = format!("{} {}", short(middle(x)), x.field.unit);
-    let at = left + field.width / 2;
-    let at = at.saturating_sub(width(&text) / 2);
+    let at = (left + field.width / 2).saturating_sub(width(&text) / 2);
     sheet.put((at, row), text, theme.quiet());
-    sheet.put_right((right, row), short(x.to), theme.quiet());
+    sheet.put_right((area.width - 1, row), short(x.to), theme.quiet());
     // Below the number at the top of its axis.
     sheet.put_right((LABELS, 2), y.field.unit, theme.quiet());
 }
 
 /// The range of a risk under the cursor: of curves, eyes and what a map may be off by.
 fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<String> {
-    let (injury, [x, y], [a, b]) = (Injury::of(of)?, map.spans?, map.values()?);
+    let injury = Injury::of(of)?;
     let measure = injury.measure();
-    let felt = map.reading(grid, measure).filter(|felt| !felt.folded)?.value?;
+    let felt = grid.read(measure, map.place()).filter(|felt| !felt.folded)?.value?;
     let mut there = model.work.scenario.clone();
-    put_number(&mut there, x.field, a);
-    put_number(&mut there, y.field, b);
+    for (span, value) in map.inputs()? {
+        put_number(&mut there, span.field, value);
+    }
     let known =
         Known { value: felt / measure.row().factor, error: 0.01 * MAPPED, ..Known::default() };
     Some(injury.assess(&Blow::of(&there), known).percent())
 }
 
 /// What is known under the cursor.
-fn reading(map: &Map, model: &AppModel, (x, y): (Span, Span)) -> String {
-    let Some([a, b]) = map.values() else {
+fn reading(map: &Map, model: &AppModel) -> String {
+    let Some(inputs) = map.inputs() else {
         return String::new();
     };
-    let part = |span: Span, value: f64| {
-        let text = format!("{} {} {}", span.field.label, short(value), span.field.unit);
-        text.trim_end().to_owned()
-    };
-    let value = map.grid(&model.work.scenario).map(|grid| {
-        let quantity = map.quantity(grid);
-        let Some(reading) = map.reading(grid, quantity) else {
-            return "not known yet".to_owned();
-        };
+    let value = map.grid(&model.work.scenario).and_then(|grid| {
+        let of = map.quantity(grid);
+        let reading = grid.read(of, map.place())?;
         let Some(value) = reading.value else {
-            return if reading.exact { "not allowed" } else { "not known yet" }.to_owned();
+            return reading.exact.then(|| "not allowed".to_owned());
         };
-        let row = quantity.row();
-        if let Some(range) = risk_there(map, grid, quantity, model) {
+        let row = of.row();
+        if let Some(range) = risk_there(map, grid, of, model) {
             // The points around it tell no more than where it about lies.
             let rough = if reading.exact { "" } else { ", between points that were computed" };
             let middle = whole_percent(0.01 * value);
-            return format!("{} about {middle}, {range}{rough}", row.label);
+            return Some(format!("{} about {middle}, {range}{rough}", row.label));
         }
         let about = if reading.exact { "" } else { "about " };
         let folded = if reading.folded { ", but the mesh folded" } else { "" };
         let value = with_unit(&within(value, Some(MAPPED)), row.unit);
-        format!("{} {about}{value}{folded}", row.label)
+        Some(format!("{} {about}{value}{folded}", row.label))
     });
     let value = value.unwrap_or_else(|| "not known yet".to_owned());
-    format!("X {}, {}: {value}", part(x, a), part(y, b))
+    let [x, y] = inputs.map(|(span, value)| named(span, &short(value)));
+    format!("X {x}, {y}: {value}")
+}
+
+/// An input with a value and its unit.
+pub fn named(span: Span, value: &str) -> String {
+    format!("{} {}", span.field.label, with_unit(value, span.field.unit))
 }

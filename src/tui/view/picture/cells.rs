@@ -29,8 +29,7 @@ fn cost(of: Tint, shown: Tint) -> f64 {
     }
 }
 
-/// The two tints of a cell, the first where a bit of the mask is set; both are the same where one
-/// will do.
+/// The two tints of a cell, the first where a bit of the mask is set; alike where one will do.
 pub(super) fn two(points: &[Tint]) -> (Tint, Tint, u8) {
     let loss = |pair: (Tint, Tint)| -> f64 {
         let least = |of: &Tint| cost(*of, pair.0).min(cost(*of, pair.1));
@@ -58,57 +57,14 @@ pub(super) fn one(points: &[Tint]) -> Tint {
     points.iter().min_by(by).copied().unwrap_or(points[0])
 }
 
-/// Two points across and four down, bit by bit from the upper left along the rows. Unicode 16 has
-/// those in order that it had not before.
-pub(super) fn octant(mask: u8) -> char {
-    const KNOWN: [(u8, char); 26] = [
-        (0x00, ' '),
-        (0x01, '\u{1cea8}'),
-        (0x02, '\u{1ceab}'),
-        (0x03, '\u{1fb82}'),
-        (0x05, '▘'),
-        (0x0a, '▝'),
-        (0x0f, '▀'),
-        (0x14, '\u{1fbe6}'),
-        (0x28, '\u{1fbe7}'),
-        (0x3f, '\u{1fb85}'),
-        (0x40, '\u{1cea3}'),
-        (0x50, '▖'),
-        (0x55, '▌'),
-        (0x5a, '▞'),
-        (0x5f, '▛'),
-        (0x80, '\u{1cea0}'),
-        (0xa0, '▗'),
-        (0xa5, '▚'),
-        (0xaa, '▐'),
-        (0xaf, '▜'),
-        (0xc0, '▂'),
-        (0xf0, '▄'),
-        (0xf5, '▙'),
-        (0xfa, '▟'),
-        (0xfc, '▆'),
-        (0xff, '█'),
-    ];
-    let before = KNOWN.iter().filter(|(known, _)| *known < mask).count() as u32;
-    let known = KNOWN.iter().find(|(known, _)| *known == mask);
-    known.map_or_else(
-        || char::from_u32(0x1cd00 + u32::from(mask) - before).unwrap_or(' '),
-        |(_, symbol)| *symbol,
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const fn tint(part: Part) -> Tint {
-        Tint { part, step: 0 }
-    }
-
     #[test]
     fn a_thin_part_is_kept_and_the_inside_never_shows_as_the_outside() {
-        let (globe, sky) = (tint(Part::Globe), tint(Part::Sky));
-        let (sclera, fat) = (tint(Part::Sclera), tint(Part::Fat));
+        let parts = [Part::Globe, Part::Sky, Part::Sclera, Part::Fat];
+        let [globe, sky, sclera, fat] = parts.map(|part| Tint { part, step: 0 });
         let (a, b, mask) = two(&[sclera, globe, sky, globe]);
         assert!([a, b].contains(&sclera) && [a, b].contains(&globe), "{a:?} {b:?}");
         // What does not fit beside them becomes a part of the shell, not of the inside.
@@ -119,13 +75,5 @@ mod tests {
         assert_eq!(two(&[fat; 4]).2, 0);
         assert_eq!(one(&[globe, sclera, globe, sclera]), sclera);
         assert_eq!(one(&[globe, globe, globe, fat]), globe);
-    }
-
-    #[test]
-    fn octants_fill_the_places_that_unicode_gives_them() {
-        assert_eq!(octant(0x04), '\u{1cd00}');
-        assert_eq!(octant(0xfe), '\u{1cde5}');
-        let all: std::collections::BTreeSet<char> = (0..=255).map(octant).collect();
-        assert_eq!(all.len(), 256);
     }
 }

@@ -1,8 +1,7 @@
 //! The eye in filled anatomy: the layers of [`crate::report::picture`] as cells of two colours.
 //!
-//! Lines over it, the outline at rest and the fat, are dots in cells that have one colour else.
-//! Without colours thin parts are solid and areas are patterns of dots; in ASCII each cell is the
-//! sign of one part.
+//! The outline at rest and the fat are dots in cells that have one colour else. Without colours
+//! thin parts are solid and areas are patterns of dots; in ASCII each cell is the sign of one part.
 
 mod cells;
 mod samples;
@@ -10,15 +9,17 @@ pub(crate) mod window;
 
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Style};
+use ratatui::symbols::braille::BRAILLE;
+use ratatui::symbols::pixel::{OCTANTS, QUADRANTS};
 
 use crate::report::picture::field::{STEPS, TissueField, step};
-use crate::report::picture::{DrawnDetail, POINTS, Part, front, in_globe, moment};
+use crate::report::picture::{DrawnDetail, POINTS, Part, front, globe_cells, moment};
 use crate::run::{drawing::shares, kept::Frame};
 use crate::tui::terminal::caps::{Depth, Symbols};
 use crate::tui::view::text::{longest_fitting, width};
 use crate::tui::view::theme::Theme;
-use crate::tui::{look::Look, view::eye::EyePicture, view::raster::QUADRANTS, view::sheet::Sheet};
-use cells::{Tint, octant, one, two};
+use crate::tui::{look::Look, view::eye::EyePicture, view::sheet::Sheet};
+use cells::{Tint, one, two};
 use samples::Samples;
 use window::Window;
 
@@ -26,7 +27,6 @@ use window::Window;
 const LARGE: u16 = 100;
 /// Columns from which on a moment is said in several words.
 const WORDY: u16 = 44;
-/// The bar, in m.
 const BAR_M: f64 = 10e-3;
 /// The parts that are named, and their names.
 pub const NAMED: [(Part, &str); 8] = [
@@ -40,21 +40,18 @@ pub const NAMED: [(Part, &str); 8] = [
     (Part::Bone, "bone"),
 ];
 
-/// What is drawn.
-pub struct Anatomical<'a> {
-    /// The eye, and how it is shown.
-    pub scene: &'a EyePicture<'a>,
-    /// The frame of it.
-    pub frame: &'a Frame,
-    /// What fills the globe, and the end of its scale.
-    pub field: (TissueField, f64),
+/// What is drawn: the eye and how it is shown, a frame of it, and what fills the globe with the
+/// end of its scale.
+pub(super) struct Anatomical<'a> {
+    pub(super) scene: &'a EyePicture<'a>,
+    pub(super) frame: &'a Frame,
+    pub(super) field: (TissueField, f64),
 }
 
 impl Anatomical<'_> {
     /// Draws the eye with its words above and below, where there is room for them.
-    pub fn draw(&self, sheet: &mut Sheet) {
-        let area = sheet.area;
-        let symbols = sheet.theme.look.symbols;
+    pub(super) fn draw(&self, sheet: &mut Sheet) {
+        let (area, symbols) = (sheet.area, sheet.theme.look.symbols);
         let (window, field) = if self.scene.front {
             Window::facing(area, symbols)
         } else {
@@ -73,43 +70,37 @@ impl Anatomical<'_> {
         }
     }
 
-    /// What each point shows, row by row; so many across.
-    fn points(&self, area: Rect, window: &Window) -> (usize, Vec<Tint>) {
-        let (across, down) = window.points();
+    /// Points across and down a cell, and what each shows, row by row.
+    fn points(&self, area: Rect, window: &Window) -> (usize, usize, Vec<Tint>) {
         let (columns, rows) = (usize::from(area.width), usize::from(area.height));
         // Of a part that fills less than a sign of ASCII, points tell what is lost.
-        let (across, down) = match window.symbols {
-            Symbols::Ascii => (2, 2),
-            _ => (across as usize, down as usize),
+        let (across, down) = match window.points() {
+            (1, 1) => (2, 2),
+            points => points,
         };
         let (wide, high) = (columns * across, rows * down);
-        let detail =
-            DrawnDetail { grain: window.grain(), zoom: f64::from(self.scene.zoom), points: POINTS };
+        let (grain, zoom) = (window.grain(), f64::from(self.scene.zoom));
         let shown = self.scene.shown;
         let layers = if self.scene.front {
             let side = shown.scenario.eye_side();
-            front::layers(&shown.drawing, self.frame, side, window.grain()).unwrap_or_default()
+            front::layers(&shown.drawing, self.frame, side, grain).unwrap_or_default()
         } else {
+            let detail = DrawnDetail { grain, zoom, points: POINTS };
             shown.anatomy.layers(&shown.drawing, self.frame, detail)
         };
-        let samples = Samples::new(&layers, window, (wide, high), (across, down));
-        let parts =
-            if self.scene.lean || self.scene.playing || area.width >= LARGE { 1 } else { 2 };
+        let samples = Samples::new(&layers, window, [(wide, high), (across, down)]);
+        let coarse = self.scene.lean || self.scene.playing || area.width >= LARGE;
+        let parts = if coarse { 1 } else { 2 };
         // From the front nothing shows the inside.
-        let steps = if self.scene.front {
-            vec![0; columns * rows * parts]
-        } else {
-            self.steps(area, window, parts)
-        };
+        let steps = (!self.scene.front).then(|| self.steps(area, window, parts));
         let tint = |i: usize| {
             let (x, y) = (i % wide, i / wide);
             let part = samples.point(x, y);
-            let inside = matches!(part, Part::Globe);
-            let row = y * parts / down;
-            let step = if inside { steps[row * columns + x / across] } else { 0 };
+            let steps = steps.as_ref().filter(|_| part == Part::Globe);
+            let step = steps.map_or(0, |steps| steps[y * parts / down * columns + x / across]);
             Tint { part, step }
         };
-        (wide, (0..wide * high).map(tint).collect())
+        (across, down, (0..wide * high).map(tint).collect())
     }
 
     /// The step of the field in each part of each cell, so many parts a cell from its top down.
@@ -119,23 +110,21 @@ impl Anatomical<'_> {
         let values = field.of_nodes(drawing, self.frame);
         let mut found: Vec<Option<usize>> = vec![None; columns * rows];
         let spots = parts as f64;
-        for cell in drawing.cells.iter().filter(|cell| in_globe(drawing, &cell.corners)) {
+        for cell in globe_cells(drawing) {
             for nodes in cell.triangles() {
-                let corners =
-                    nodes.map(|node| drawing.place(self.frame, node, f64::from(self.scene.zoom)));
+                let zoom = f64::from(self.scene.zoom);
+                let corners = nodes.map(|node| drawing.place(self.frame, node, zoom));
                 let at = corners.map(|corner| window.cell(corner));
-                let span = |of: &dyn Fn(&(f64, f64)) -> f64, most: usize| {
-                    let low = at.iter().map(of).fold(f64::INFINITY, f64::min);
-                    let high = at.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+                let span = |of: [f64; 3], most: usize| {
+                    let low = of.into_iter().fold(f64::INFINITY, f64::min);
+                    let high = of.into_iter().fold(f64::NEG_INFINITY, f64::max);
                     let within = |v: f64| v.clamp(0.0, most as f64) as usize;
                     within(low)..within(high + 1.0)
                 };
-                for row in span(&|p| p.1 * spots, rows) {
-                    for column in span(&|p| p.0, columns) {
+                for row in span(at.map(|p| p.1 * spots), rows) {
+                    for column in span(at.map(|p| p.0), columns) {
                         let middle = (column as f64 + 0.5, (row as f64 + 0.5) / spots);
-                        let Some(of) = shares(corners, window.place(middle)) else {
-                            continue;
-                        };
+                        let Some(of) = shares(corners, window.place(middle)) else { continue };
                         if of.iter().all(|share| *share >= -1e-9) {
                             let parts = nodes.iter().zip(of);
                             let value: f64 = parts.map(|(node, of)| values[*node] * of).sum();
@@ -159,9 +148,8 @@ impl Anatomical<'_> {
 
     fn paint(&self, window: &Window, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
-        let (wide, points) = self.points(area, window);
-        let (across, down) =
-            (wide / usize::from(area.width), points.len() / wide / usize::from(area.height));
+        let (across, down, points) = self.points(area, window);
+        let wide = across * usize::from(area.width);
         let dots = self.dots(window, area);
         for row in 0..area.height {
             for column in 0..area.width {
@@ -181,24 +169,21 @@ impl Anatomical<'_> {
                     (_, Depth::Mono) => mono(theme.look, &own, edge, ghost, lattice),
                     _ => coloured(&own, ghost, lattice, theme),
                 };
-                let cell = sheet.cell((column, row));
-                cell.set_char(symbol).set_style(style);
+                sheet.cell((column, row)).set_char(symbol).set_style(style);
             }
         }
     }
 
-    /// The dots of the outline at rest in each cell, as the bits of braille.
+    /// The dots of the outline at rest in each cell, bit by bit along their rows.
     fn dots(&self, window: &Window, area: Rect) -> Vec<u8> {
-        const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
-        let mut dots = vec![0; usize::from(area.width) * usize::from(area.height)];
+        let mut dots = vec![0; area.area() as usize];
         let ghost = self.scene.shown.anatomy.ghost();
         for at in ghost.iter().filter(|_| !self.scene.front) {
             let (x, y) = window.cell(*at);
-            let inside =
-                x >= 0.0 && y >= 0.0 && x < f64::from(area.width) && y < f64::from(area.height);
-            if inside {
-                let bit = BITS[(y.fract() * 4.0) as usize][(x.fract() * 2.0) as usize];
-                dots[y as usize * usize::from(area.width) + x as usize] |= bit;
+            let (width, height) = (f64::from(area.width), f64::from(area.height));
+            if (0.0..width).contains(&x) && (0.0..height).contains(&y) {
+                let bit = 2 * (y.fract() * 4.0) as usize + (x.fract() * 2.0) as usize;
+                dots[y as usize * usize::from(area.width) + x as usize] |= 1 << bit;
             }
         }
         dots
@@ -208,10 +193,8 @@ impl Anatomical<'_> {
     fn caption(&self, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let time = format!("{:.2} ms", self.scene.time * 1e3);
-        let zoom = match self.scene.zoom {
-            1 => String::new(),
-            times => format!(" {times}x larger"),
-        };
+        let times = self.scene.zoom;
+        let zoom = if times == 1 { String::new() } else { format!(" {times}x larger") };
         let mut x = sheet.put((0, 0), &time, theme.strong());
         let (said, brief) = moment::said(&self.scene.shown.answer, self.scene.time);
         let said = if area.width < WORDY { brief } else { &said };
@@ -231,40 +214,29 @@ impl Anatomical<'_> {
         // Without colours the scale is one of signs.
         let signs = match (theme.look.symbols, theme.look.depth) {
             (Symbols::Ascii, _) => String::from_iter(STEPPED),
-            (_, Depth::Mono) => String::from_iter(patterns(theme.look)),
+            (_, Depth::Mono) => DOTTED.map(|bits| dotted(bits, theme.look)).iter().collect(),
             _ => String::new(),
         };
-        let ramp = match theme.look.depth {
-            _ if !signs.is_empty() => width(&signs),
-            Depth::Mono => 0,
-            Depth::Sixteen => 5,
-            Depth::TwoFiveSix if area.width >= LARGE => STEPS as u16,
-            Depth::TwoFiveSix => (STEPS as u16).div_ceil(2),
+        let colours = match theme.look.depth {
+            _ if !signs.is_empty() => 0,
+            Depth::TwoFiveSix if area.width >= LARGE => STEPS,
+            Depth::TwoFiveSix => STEPS.div_ceil(2),
+            _ => 5,
         };
         let name = field.name();
-        let starts = match ramp {
-            0 => [format!("{name} 0 to"), format!("{name} to")],
-            _ => [format!("{name} 0 "), format!("{name} ")],
-        };
-        let legend = |start: &str| width(start) + ramp + width(&end);
+        let starts = [format!("{name} 0 "), format!("{name} "), "0 ".to_owned()];
+        let legend = |start: &str| width(start) + width(&signs) + colours as u16 + width(&end);
         let room = area.width.saturating_sub(x + 2);
-        let least = legend(&starts[1]).min(room);
-        let words = longest_fitting(&words, room - least);
+        let words = longest_fitting(&words, room.saturating_sub(legend(&starts[1])));
         x = sheet.put((x, 0), words, theme.text());
         let room = area.width.saturating_sub(x + 1);
-        let brief = if ramp == 0 { "" } else { "0 " };
-        let mut starts = starts.iter().map(String::as_str).chain([brief]);
-        let Some(start) = starts.find(|start| legend(start) <= room) else {
-            return;
-        };
-        let left = area.width - legend(start);
-        let mut x = sheet.put((left, 0), start, theme.quiet());
+        let Some(start) = starts.iter().find(|start| legend(start) <= room) else { return };
+        x = sheet.put((area.width - legend(start), 0), start, theme.quiet());
         x = sheet.put((x, 0), &signs, theme.text());
-        for i in 0..ramp.saturating_sub(width(&signs)) {
-            let last = usize::from(ramp - 1);
-            let place = |share: usize| (share * (STEPS - 1)) / (2 * last).max(1);
-            let (a, b) = (place(2 * usize::from(i)), place((2 * usize::from(i) + 1).min(2 * last)));
-            let style = Style::new().fg(theme.part(Part::Globe, a)).bg(theme.part(Part::Globe, b));
+        for i in 0..colours {
+            let last = 2 * (colours - 1);
+            let colour = |half: usize| theme.part(Part::Globe, half.min(last) * (STEPS - 1) / last);
+            let style = Style::new().fg(colour(2 * i)).bg(colour(2 * i + 1));
             x = sheet.put((x, 0), "▌", style);
         }
         sheet.put_right((area.width, 0), end.trim_start(), theme.quiet());
@@ -274,11 +246,9 @@ impl Anatomical<'_> {
     fn hours(sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let (middle, centre) = (area.width / 2, area.height / 2);
-        let right = area.width.saturating_sub(1);
-        let bottom = area.height.saturating_sub(1);
-        let places = [((middle, 0), "12"), ((right, centre), "3")];
-        let more = [((middle, bottom), "6"), ((0, centre), "9")];
-        for (at, hour) in places.into_iter().chain(more) {
+        let (right, bottom) = (area.width - 1, area.height - 1);
+        let places = [(middle, 0), (right, centre), (middle, bottom), (0, centre)];
+        for (at, hour) in places.into_iter().zip(["12", "3", "6", "9"]) {
             sheet.put(at, hour, theme.strong().bg(Color::Reset));
         }
     }
@@ -287,79 +257,67 @@ impl Anatomical<'_> {
     fn scale(&self, window: &Window, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let sheet = &mut sheet.row(area.height - 1);
-        let (left, right) = if self.scene.front {
-            let (_, left, right) = self.scene.shown.scenario.eye_side().seen();
-            (left, right)
-        } else {
-            ("front", "back")
-        };
+        let side = self.scene.shown.scenario.eye_side();
+        let (_, left, right) = if self.scene.front { side.seen() } else { ("", "front", "back") };
         sheet.put((0, 0), left, theme.quiet());
         sheet.put_right((area.width, 0), right, theme.quiet());
         let halves = (2.0 * BAR_M / window.column).round() as usize;
-        let mut bar = "━".repeat(halves / 2);
-        if halves % 2 == 1 {
-            bar.push('╸');
-        }
+        let bar = "━".repeat(halves / 2) + &"╸".repeat(halves % 2);
         let text = " 10 mm";
         let long = width(&bar) + width(text);
         if long + 12 <= area.width {
-            let x = sheet.put(((area.width - long) / 2, 0), &bar, theme.strong());
-            sheet.put((x, 0), text, theme.quiet());
+            let end = sheet.put(((area.width - long) / 2, 0), &bar, theme.strong());
+            sheet.put((end, 0), text, theme.quiet());
         }
     }
 }
 
+/// What a cell shows.
+type Sign = (char, Style);
+
 /// A cell in two colours, or in one with dots.
-fn coloured(own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+fn coloured(own: &[Tint], ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let (mut first, mut second, mut mask) = two(own);
     // What has no colour of its own is the ground.
-    if mask != 0 && theme.part(first.part, first.step) == Color::Reset {
+    let colour = |tint: Tint| theme.part(tint.part, tint.step);
+    if mask != 0 && colour(first) == Color::Reset {
         (first, second) = (second, first);
         mask = if own.len() == 8 { !mask } else { !mask & 15 };
-        if theme.part(first.part, first.step) == Color::Reset {
-            mask = 0;
-        }
     }
-    let ground = Style::new().bg(theme.part(second.part, second.step));
-    if mask == 0 {
-        let dotted = |bits: u8| match theme.look.symbols {
-            Symbols::Block => '·',
-            _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
-        };
-        let plain = !second.part.is_line();
-        if ghost != 0 && plain {
-            return (dotted(ghost), ground.fg(theme.ghost(second.part)));
-        }
-        if second.part == Part::Fat && lattice {
-            return (dotted(0x02), ground.patch(theme.fat_dots()));
-        }
-        return (' ', ground);
+    let ground = Style::new().bg(colour(second));
+    if mask != 0 && colour(first) != Color::Reset {
+        return (block(mask, own.len()), ground.fg(colour(first)));
     }
-    let symbol = if own.len() == 8 { octant(mask) } else { QUADRANTS[usize::from(mask)] };
-    (symbol, ground.fg(theme.part(first.part, first.step)))
+    let dots = |bits: usize| match theme.look.symbols {
+        Symbols::Block => '·',
+        _ => BRAILLE[bits],
+    };
+    match second.part {
+        part if ghost != 0 && !part.is_line() => (dots(ghost.into()), ground.fg(theme.ghost(part))),
+        Part::Fat if lattice => (dots(LATTICE.into()), ground.patch(theme.fat_dots())),
+        _ => (' ', ground),
+    }
+}
+
+/// The sign of a cell of so many points with some of them set.
+fn block(mask: u8, points: usize) -> char {
+    if points == 8 { OCTANTS[usize::from(mask)] } else { QUADRANTS[usize::from(mask)] }
 }
 
 /// A cell without colours: what is thin is solid, an area a pattern.
-fn mono(
-    look: Look,
-    own: &[Tint],
-    edge: impl Fn(usize) -> bool,
-    ghost: u8,
-    lattice: bool,
-) -> (char, Style) {
+fn mono(look: Look, own: &[Tint], edge: impl Fn(usize) -> bool, ghost: u8, lattice: bool) -> Sign {
     let solid = |i: &usize| own[*i].part.is_line() || edge(*i);
     let mask = (0..own.len()).filter(solid).fold(0_u8, |mask, bit| mask | 1 << bit);
     if mask != 0 {
-        let symbol = if own.len() == 8 { octant(mask) } else { QUADRANTS[usize::from(mask)] };
-        return (symbol, Style::new());
+        return (block(mask, own.len()), Style::new());
     }
     let Tint { part, step } = one(own);
     let bits = ghost
         | match part {
             Part::Object => 0x21,
-            Part::Bone => 0x95,
-            Part::Nerve => 0xd2,
-            Part::Fat if lattice => 0x02,
+            Part::Bone => 0x99,
+            Part::Nerve => 0xcc,
+            Part::Fat if lattice => LATTICE,
             Part::Globe => DOTTED[step * DOTTED.len() / STEPS],
             _ => 0,
         };
@@ -382,24 +340,20 @@ pub fn swatch(part: Part, look: Look) -> (String, Style) {
 /// The field in ASCII, from low to high.
 const STEPPED: [char; 5] = [' ', '-', '+', '*', '$'];
 /// The field in dots, from low to high.
-const DOTTED: [u8; 5] = [0x00, 0x04, 0x21, 0x2a, 0x55];
-
-/// The field without colours, from low to high.
-fn patterns(look: Look) -> [char; 5] {
-    DOTTED.map(|bits| dotted(bits, look))
-}
+const DOTTED: [u8; 5] = [0x00, 0x10, 0x21, 0x26, 0x59];
+/// The dot of the fat.
+const LATTICE: u8 = 0x04;
 
 /// The dots of a cell as a sign.
 fn dotted(bits: u8, look: Look) -> char {
     match look.symbols {
         Symbols::Block => [' ', '·', '░', '▒', '▓'][(bits.count_ones() as usize).min(4)],
         _ if bits == 0 => ' ',
-        _ => char::from_u32(0x2800 + u32::from(bits)).unwrap_or(' '),
+        _ => BRAILLE[usize::from(bits)],
     }
 }
 
-/// The sign of a part.
-fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
+fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let Tint { part, step } = tint;
     let sign = match part {
         _ if ghost != 0 && !part.is_line() => ':',
@@ -422,8 +376,7 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> (char, Style) {
         _ if theme.is_mono() => Style::new(),
         part => Style::new().fg(theme.part(part, step)),
     };
-    let bold = if part == Part::Pressed { theme.strong() } else { Style::new() };
-    (sign, style.patch(bold))
+    (sign, if part == Part::Pressed { style.bold() } else { style })
 }
 
 #[cfg(test)]

@@ -14,21 +14,15 @@ pub(super) struct Samples {
 
 impl Samples {
     /// The layers as points, so many across and down all and a cell.
-    pub fn new(
-        layers: &[Shape],
-        window: &Window,
-        points: (usize, usize),
-        a_cell: (usize, usize),
-    ) -> Self {
+    pub fn new(layers: &[Shape], window: &Window, [all, cell]: [(usize, usize); 2]) -> Self {
         // Of a large picture fewer samples tell as much.
-        let fine = if points.0 * points.1 > 12_000 { 2 } else { 4 };
-        let (width, height) = (points.0 * fine, points.1 * fine);
-        let labels = vec![Part::Sky; width * height];
-        let mut all = Self { fine, width, height, labels };
+        let fine = if all.0 * all.1 > 12_000 { 2 } else { 4 };
+        let (width, height) = (all.0 * fine, all.1 * fine);
+        let mut grid = Self { fine, width, height, labels: vec![Part::Sky; width * height] };
         for shape in layers {
-            all.fill(shape, window, a_cell);
+            grid.fill(shape, window, cell);
         }
-        all
+        grid
     }
 
     /// Fills what the rings of a shape go round, whichever way.
@@ -60,8 +54,8 @@ impl Samples {
                 if turns != 0 {
                     let column = |x: f64| (x - 0.5).ceil().clamp(0.0, self.width as f64) as usize;
                     let (from, to) = (column(ends[0].0), column(ends[1].0));
-                    self.labels[y * self.width + from..y * self.width + to.max(from)]
-                        .fill(shape.part);
+                    let start = y * self.width;
+                    self.labels[start + from..start + to].fill(shape.part);
                 }
             }
         }

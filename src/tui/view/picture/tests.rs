@@ -1,5 +1,5 @@
 use super::*;
-use crate::answer::solve::{Answer, solve};
+use crate::answer::solve::solve;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{drawing::Drawing, watch::unwatched};
 use crate::scenario::library::{built_in, find};
@@ -10,12 +10,13 @@ use ratatui::buffer::Buffer;
 
 fn answered(scenario: &Scenario) -> ShownAnswer {
     let keep = Keep { traces: true, frames: Some(Spacing::doubling(80, 2.5e-5)) };
-    let answer: Answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
+    let answer = solve(&scenario.check().unwrap(), keep, &mut unwatched).unwrap();
     ShownAnswer::new(scenario.clone(), answer)
 }
 
-fn of<'a>(shown: &'a ShownAnswer, frame: &Frame, look: Look) -> EyePicture<'a> {
-    EyePicture {
+fn draw(shown: &ShownAnswer, frame: &Frame, look: Look, (wide, high): (u16, u16)) -> Buffer {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, wide, high));
+    let picture = EyePicture {
         shown,
         time: frame.time,
         largest: shown.hottest,
@@ -28,7 +29,9 @@ fn of<'a>(shown: &'a ShownAnswer, frame: &Frame, look: Look) -> EyePicture<'a> {
         lean: false,
         front: false,
         look,
-    }
+    };
+    picture.draw(buffer.area, &mut buffer);
+    buffer
 }
 
 fn inside(ring: &[Point2<f64>], at: Point2<f64>) -> bool {
@@ -54,12 +57,11 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
             let nodes = 0..lines.shell.len();
             nodes.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap()
         };
-        let mut fat = places(&lines.wall);
-        fat.extend(places(&lines.free[1]));
+        let wall = places(&lines.wall);
+        let mut fat = [wall.clone(), places(&lines.free[1])].concat();
         fat.extend(places(&lines.shell[place(first)..=place(last)]).iter().rev());
         fat.extend(places(&lines.free[0]).iter().rev());
         all.push(fat);
-        let wall = places(&lines.wall);
         let (top, bottom) = (wall[0], wall[wall.len() - 1]);
         let out = (top - bottom).normalize();
         let back = nalgebra::Vector2::new(out.y, -out.x);
@@ -72,20 +74,18 @@ fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
 
 #[test]
 fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
-    let ink = |role: crate::tui::view::palette::Colour| role.ink().unwrap();
-    let of_object = [ink(DARK.object), ink(DARK.skin)];
-    let (mut seen, mut from_aside) = (0, 0);
-    let mut scenarios: Vec<Scenario> =
-        built_in().iter().map(|preset| preset.scenario().unwrap()).collect();
-    for (angle, clock, offset) in [(40.0, 6.0, 0.0), (60.0, 3.0, 3.0), (0.0, 12.0, 8.0)] {
+    let of_object = [DARK.object, DARK.skin].map(|role| role.ink().unwrap());
+    let from_aside = [(40.0, 6.0, 0.0), (60.0, 3.0, 3.0), (0.0, 12.0, 8.0)];
+    let from_aside = from_aside.map(|(angle, clock, offset)| {
         let mut aside = find("squash-ball").unwrap().scenario().unwrap();
         if let Impact::Projectile(object) = &mut aside.impact {
             (object.angle_deg, object.angle_clock, object.offset_mm) = (angle, clock, offset);
         }
-        aside.window_ms = Some(1.5);
-        scenarios.push(aside);
-        from_aside += 1;
-    }
+        Scenario { window_ms: Some(1.5), ..aside }
+    });
+    let (mut seen, invisible) = (0, from_aside.len());
+    let presets = built_in().into_iter().map(|preset| preset.scenario().unwrap());
+    let mut scenarios: Vec<Scenario> = presets.chain(from_aside).collect();
     scenarios.retain(|scenario| matches!(scenario.impact, Impact::Projectile(_)));
     for scenario in &scenarios {
         let shown = answered(scenario);
@@ -93,14 +93,12 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
         for frame in shown.answer.run.frames.iter().step_by(4) {
             let forbidden = forbidden(&shown.drawing, frame);
             for size in [(28, 9), (55, 22), (110, 32)] {
-                let area = Rect::new(0, 0, size.0, size.1 + 2);
-                let mut buffer = Buffer::empty(area);
                 let look = Look::new(Depth::TwoFiveSix, Symbols::Braille);
-                of(&shown, frame, look).draw(area, &mut buffer);
-                let (window, field) = Window::within(area, &shown.drawing, Symbols::Braille);
-                for (x, y) in (0..field.width).flat_map(|x| (0..field.height).map(move |y| (x, y)))
-                {
-                    let cell = &buffer[(field.x + x, field.y + y)];
+                let buffer = draw(&shown, frame, look, (size.0, size.1 + 2));
+                let (window, field) = Window::within(buffer.area, &shown.drawing, look.symbols);
+                for at in field.positions() {
+                    let (x, y) = (f64::from(at.x - field.x), f64::from(at.y - field.y));
+                    let cell = &buffer[at];
                     let sign = cell.symbol().chars().next().unwrap();
                     let mask = QUADRANTS.iter().position(|s| *s == sign).unwrap_or(0);
                     for point in 0..4 {
@@ -109,22 +107,15 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
                             continue;
                         }
                         here += 1;
-                        let middle = |dx: f64, dy: f64| {
-                            let column = f64::from(x) + 0.25 + 0.5 * f64::from(point % 2) + dx;
-                            let row = f64::from(y) + 0.25 + 0.5 * f64::from(point / 2) + dy;
-                            window.place((column, row))
-                        };
+                        let x = x + 0.25 + 0.5 * f64::from(point % 2);
+                        let y = y + 0.25 + 0.5 * f64::from(point / 2);
                         // A point shows most of what lies in it, and a cell two things at most.
                         let around = [(-0.6, 0.0), (0.6, 0.0), (0.0, -0.6), (0.0, 0.6), (0.0, 0.0)];
+                        let around = around.map(|(dx, dy)| window.place((x + dx, y + dy)));
                         for ring in &forbidden {
-                            let deep = around.iter().all(|(dx, dy)| inside(ring, middle(*dx, *dy)));
-                            assert!(
-                                !deep,
-                                "{}: {:?} at {} s",
-                                scenario.name,
-                                middle(0.0, 0.0),
-                                frame.time
-                            );
+                            let deep = around.iter().all(|at| inside(ring, *at));
+                            let (name, time) = (&scenario.name, frame.time);
+                            assert!(!deep, "{name}: {:?} at {time} s", around[4]);
                         }
                     }
                 }
@@ -132,7 +123,7 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
         }
         seen += usize::from(here > 0);
     }
-    assert!(seen + from_aside > scenarios.len(), "{seen} of {}", scenarios.len());
+    assert!(seen + invisible > scenarios.len(), "{seen} of {}", scenarios.len());
     assert!(scenarios.len() > 20);
 }
 
@@ -140,9 +131,9 @@ fn nothing_of_an_object_is_drawn_behind_the_shell_or_in_the_bone() {
 fn the_object_is_round_again_when_it_leaves_and_flat_where_it_presses() {
     let shown = answered(&find("squash-ball").unwrap().scenario().unwrap());
     let width = |frame: &Frame| {
-        let sides = crate::report::picture::object_sides(&shown.drawing, frame);
-        let along = sides.iter().map(|[a, _]| a.x);
-        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+        let mut sides = crate::report::picture::object_sides(&shown.drawing, frame);
+        sides.sort_by(|[a, _], [b, _]| a.x.total_cmp(&b.x));
+        sides[sides.len() - 1][0].x - sides[0][0].x
     };
     let frames = &shown.answer.run.frames;
     let apex = shown.answer.peak(crate::run::quantity::Quantity::Apex).unwrap().time;
@@ -157,23 +148,21 @@ fn the_object_is_round_again_when_it_leaves_and_flat_where_it_presses() {
 fn text(buffer: &Buffer) -> String {
     let mut styles = Vec::new();
     let (mut signs, mut letters) = (String::new(), String::new());
-    for (i, cell) in buffer.content.iter().enumerate() {
-        if i > 0 && i % usize::from(buffer.area.width) == 0 {
-            signs.push('\n');
-            letters.push('\n');
+    for row in buffer.content.chunks(buffer.area.width.into()) {
+        for cell in row {
+            signs += cell.symbol();
+            let style = (cell.fg, cell.bg);
+            if !styles.contains(&style) {
+                styles.push(style);
+            }
+            let place = styles.iter().position(|s| *s == style).unwrap() as u8;
+            let plain = style == (Color::Reset, Color::Reset);
+            letters.push(char::from(if plain { b' ' } else { b'!' + place % 94 }));
         }
-        signs += cell.symbol();
-        let style = (cell.fg, cell.bg);
-        let place = styles.iter().position(|s| *s == style).unwrap_or_else(|| {
-            styles.push(style);
-            styles.len() - 1
-        });
-        let letter =
-            if style == (Color::Reset, Color::Reset) { b' ' } else { b'!' + place as u8 % 94 };
-        letters.push(char::from(letter));
+        signs.push('\n');
+        letters.push('\n');
     }
-    let coloured = styles.len() > 1;
-    if coloured { format!("{signs}\n\n{letters}\n") } else { signs + "\n" }
+    if styles.len() > 1 { format!("{signs}\n{letters}") } else { signs }
 }
 
 #[test]
@@ -190,10 +179,7 @@ fn every_number_of_colours_has_its_own_form() {
         ("ascii", Depth::Mono, Symbols::Ascii, (55, 24)),
         ("ascii_small", Depth::Mono, Symbols::Ascii, (28, 11)),
     ] {
-        let area = Rect::new(0, 0, size.0, size.1);
-        let mut buffer = Buffer::empty(area);
-        let look = Look::new(depth, symbols);
-        of(&shown, deepest, look).draw(area, &mut buffer);
+        let mut buffer = draw(&shown, deepest, Look::new(depth, symbols), size);
         if symbols == Symbols::Ascii {
             crate::tui::view::text::to_ascii(&mut buffer);
         }

@@ -1,5 +1,4 @@
-//! Which part of the section a picture shows: the same through a whole run, so that nothing but
-//! the eye and the object moves.
+//! Which part of the section a picture shows: through a run the same, so that it does not move.
 
 use nalgebra::Point2;
 use ratatui::layout::Rect;
@@ -20,7 +19,7 @@ pub(crate) struct Window {
     top: f64,
     /// Width of a column, in m; a row is twice as high.
     pub column: f64,
-    pub symbols: Symbols,
+    symbols: Symbols,
 }
 
 /// Rows from which on there is room for words above and below.
@@ -30,25 +29,7 @@ impl Window {
     /// The window of a picture with its words, and where it lies between them.
     pub fn within(area: Rect, drawing: &Drawing, symbols: Symbols) -> (Self, Rect) {
         let field = Self::field(area);
-        (Self::new(field, drawing, symbols), field)
-    }
-
-    /// The window of a picture from the front, and where it lies between its words.
-    pub fn facing(area: Rect, symbols: Symbols) -> (Self, Rect) {
-        let field = Self::field(area);
         let (columns, rows) = (f64::from(field.width.max(1)), f64::from(field.height.max(1)));
-        let column = (2.0 * REACH_M / columns).max(REACH_M / rows);
-        let window = Self { left: -0.5 * column * columns, top: column * rows, column, symbols };
-        (window, field)
-    }
-
-    fn field(area: Rect) -> Rect {
-        let worded = u16::from(area.height >= WORDED);
-        Rect { y: area.y + worded, height: area.height - 2 * worded, ..area }
-    }
-
-    fn new(area: Rect, drawing: &Drawing, symbols: Symbols) -> Self {
-        let (columns, rows) = (f64::from(area.width.max(1)), f64::from(area.height.max(1)));
         let (low, high) = drawing.extent();
         let way = drawing.object.map_or(1.0, |object| object.direction.x);
         let fits = |wide: f64, tall: f64| (wide / columns).max(tall / (2.0 * rows));
@@ -61,13 +42,25 @@ impl Window {
         };
         // What is left over is room for the object; where room lacks, the back of the orbit goes.
         let spare = column * columns - wide;
-        let right = high.x
-            + match way {
-                ..0.5 => 0.5 * spare,
-                _ if spare < 0.0 => 0.75 * spare,
-                _ => 0.0,
-            };
-        Self { left: right - column * columns, top: middle + column * rows, column, symbols }
+        let beyond = match way {
+            ..0.5 => 0.5 * spare,
+            _ => 0.75 * spare.min(0.0),
+        };
+        let left = high.x + beyond - column * columns;
+        (Self { left, top: middle + column * rows, column, symbols }, field)
+    }
+
+    /// The window of a picture from the front, and where it lies between its words.
+    pub fn facing(area: Rect, symbols: Symbols) -> (Self, Rect) {
+        let field = Self::field(area);
+        let (columns, rows) = (f64::from(field.width.max(1)), f64::from(field.height.max(1)));
+        let column = (2.0 * REACH_M / columns).max(REACH_M / rows);
+        (Self { left: -0.5 * column * columns, top: column * rows, column, symbols }, field)
+    }
+
+    fn field(area: Rect) -> Rect {
+        let worded = u16::from(area.height >= WORDED);
+        Rect { y: area.y + worded, height: area.height - 2 * worded, ..area }
     }
 
     /// Where a place lies, in cells.
@@ -81,17 +74,17 @@ impl Window {
     }
 
     /// Points across and down a cell.
-    pub fn points(&self) -> (f64, f64) {
+    pub fn points(&self) -> (usize, usize) {
         match self.symbols {
-            Symbols::Ascii => (1.0, 1.0),
-            Symbols::Braille | Symbols::Block => (2.0, 2.0),
-            Symbols::Octant => (2.0, 4.0),
+            Symbols::Ascii => (1, 1),
+            Symbols::Braille | Symbols::Block => (2, 2),
+            Symbols::Octant => (2, 4),
         }
     }
 
     /// The smallest thing that shows, in m.
     pub fn grain(&self) -> f64 {
         let (across, down) = self.points();
-        self.column * (2.0 / (across * down)).sqrt()
+        self.column * (2.0 / (across * down) as f64).sqrt()
     }
 }

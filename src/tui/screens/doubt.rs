@@ -1,5 +1,6 @@
-//! What is not known of the inputs: a band for every result, and what drives one of them. Of a risk
-//! the answer has a range of its own; the wider of the two is shown.
+//! What the doubt in the inputs does to each result: runs many samples while it is on show. A band
+//! for every result, and what drives one of them. Of a risk the answer has a range of its own; the
+//! wider of the two is shown.
 //!
 //! Each band has a scale of its own, from the least to the greatest of band and nominal value; a
 //! diamond stands where the scenario as it is lies. So shapes compare, and numbers stand beside.
@@ -7,16 +8,115 @@
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::injury::Injury;
 use crate::many::{bands::Band, ensemble::Ensemble};
 use crate::report::ensemble::{distribution, hundredths};
 use crate::report::format::{digits, percent};
 use crate::report::{figure::allowing, risks::range};
 use crate::run::quantity::Quantity;
-use crate::tui::ensemble::{FIRST, RunSamples, is_whole, shown_band};
-use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences, wrapped};
-use crate::tui::view::theme::Theme;
-use crate::tui::{model::AppModel, shown::ShownAnswer, task::Job, view::sheet::Sheet};
+use crate::tui::ensemble::{FIRST, MANY, RunSamples, is_whole, shown_band, widened};
+use crate::tui::keys::press::{DOWN, UP, c};
+use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, go_on, state_of_work};
+use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences};
+use crate::tui::view::{sheet::Sheet, theme::Theme};
+use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, task::Job};
+
+/// The place of the result whose band is explained.
+#[derive(Default)]
+pub struct Doubt {
+    pub(crate) row: usize,
+}
+
+impl Panes for Doubt {
+    const PANES: &'static [Pane<Self>] =
+        &[Pane::new("outputs", TimeKeys::Absent, &[KEYS, STOPPED_KEYS])];
+}
+
+#[rustfmt::skip]
+const KEYS: PaneKeys<Doubt> = PaneKeys::new("Doubt", &[
+    bind(&[UP, c('k')], |s, m| s.move_cursor(m, -1), "result", "the result above"),
+    bind(&[DOWN, c('j')], |s, m| s.move_cursor(m, 1), "&", "the result below"),
+]);
+
+const STOPPED_KEYS: PaneKeys<Doubt> =
+    PaneKeys::<Doubt>::new("Doubt: stopped", &[go_on(|_, m| m.ensemble.task.complaint = None)])
+        .when(|_, model| model.ensemble.complaint(&model.work.scenario).is_some());
+
+impl Screen for Doubt {
+    fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
+        let (area, theme) = (sheet.area, sheet.theme);
+        let (said, style) = status(model, theme);
+        let titles = [
+            "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
+            "How sure? 5 to 95 %, risks 10 to 90 %",
+            "How sure?",
+        ];
+        sheet.put_both((&titles, theme.heading()), (&said, style));
+        // Bands of another scenario would be taken for those of this one.
+        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
+            let complaint = model.ensemble.complaint(&model.work.scenario);
+            let texts = match &model.ensemble.task.job {
+                Some(job) => waiting(model, job),
+                None => vec![complaint.unwrap_or("not known yet: m runs the samples").to_owned()],
+            };
+            let mut y = 2;
+            for text in &texts {
+                y = 1 + sheet.put_wrapped((1, y), text, theme.text());
+            }
+            return;
+        };
+        let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
+        let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
+        // First the risks, the gravest first, which are the answer.
+        let mut results = ensemble.results();
+        results.sort_by_key(|of| !of.is_risk());
+        let chosen = self.row.min(results.len().saturating_sub(1));
+        heading(sheet);
+        let room = usize::from(area.width - 2);
+        let notes = notes(ensemble, answer);
+        // The step error alone is said only where there is room.
+        let needed = &notes[..notes.len().max(2) - 1];
+        let least = whole_sentences(needed, room, NOTES.max(area.height / 6).into()).len();
+        // The results scroll where the notes and what drives the chosen one would find no room.
+        let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
+        let shown = results.len().min(free);
+        let first = (chosen + 1).saturating_sub(shown);
+        for (row, of) in results.iter().skip(first).take(shown).enumerate() {
+            let of = (*of, first + row == chosen);
+            result((ensemble, answer), of, &mut sheet.row(2 + row as u16));
+        }
+        sheet.put((1, 1), seen(first, shown, results.len()), theme.quiet());
+        let gap = u16::from(shown < free);
+        let top = 2 + shown as u16 + gap;
+        let below = area.height.saturating_sub(top);
+        let rows = usize::from(below.saturating_sub(DRIVERS)).max(least);
+        let notes = whole_sentences(&notes, room, rows);
+        let kept = notes.len() as u16;
+        if let Some(of) = results.get(chosen) {
+            let size = (area.width, below.saturating_sub(kept));
+            drivers(ensemble, *of, &mut sheet.part((0, top), size));
+        }
+        sheet.put_lines((1, area.height.saturating_sub(kept)), &notes, theme.quiet());
+    }
+
+    fn samples(&self) -> u32 {
+        MANY
+    }
+
+    fn cancel(&mut self, model: &mut AppModel) -> bool {
+        model.ensemble.task.end(&mut model.out)
+    }
+}
+
+impl Doubt {
+    /// Moves to another result.
+    fn move_cursor(&mut self, model: &AppModel, by: isize) {
+        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
+            return;
+        };
+        let last = ensemble.results().len().saturating_sub(1);
+        self.row = self.row.min(last).saturating_add_signed(by).min(last);
+    }
+}
 
 /// Columns of a result's name, and of each of its three numbers.
 const LABEL: u16 = 21;
@@ -30,114 +130,40 @@ const NOTES: u16 = 4;
 /// The share of the range that is left free at both ends of a scale.
 const MARGIN: f64 = 0.06;
 
-/// Draws the screen.
-pub fn draw(row: usize, model: &AppModel, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let (said, style) = status(model, theme);
-    let titles = [
-        "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
-        "How sure? 5 to 95 %, risks 10 to 90 %",
-        "How sure?",
-    ];
-    sheet.put_both((&titles, theme.heading()), (&said, style));
-    // Bands of another scenario would be taken for those of this one.
-    let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
-        let complaint = model.ensemble.complaint(&model.work.scenario);
-        let texts = match (&model.ensemble.task.job, complaint) {
-            (Some(job), _) => waiting(model, job),
-            (None, Some(why)) => vec![why.to_owned()],
-            (None, None) => vec!["not known yet: m runs the samples".to_owned()],
-        };
-        let room = usize::from(area.width - 2);
-        let lines = texts.iter().flat_map(|text| {
-            let mut lines = wrapped(text, room);
-            lines.push(String::new());
-            lines
-        });
-        sheet.put_lines((1, 2), lines, theme.text());
-        return;
-    };
-    let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
-    let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
-    let results = listed(ensemble);
-    let chosen = row.min(results.len().saturating_sub(1));
-    heading(sheet);
-    let room = usize::from(area.width - 2);
-    let notes = notes(ensemble, answer);
-    // The step error alone is said only where there is room.
-    let needed = &notes[..notes.len().max(2) - 1];
-    let least = whole_sentences(needed, room, NOTES.max(area.height / 6).into()).len();
-    // The results scroll where the notes and what drives the chosen one would find no room.
-    let free = usize::from(area.height.saturating_sub(2 + DRIVERS)).saturating_sub(least);
-    let shown = results.len().min(free);
-    let first = (chosen + 1).saturating_sub(shown);
-    for (row, of) in results.iter().skip(first).take(shown).enumerate() {
-        let of = (*of, first + row == chosen);
-        result((ensemble, answer), of, &mut sheet.row(2 + row as u16));
-    }
-    let text = seen(first, shown, results.len());
-    sheet.put((1, 1), &text, theme.quiet());
-    let gap = u16::from(shown < free);
-    let top = 2 + shown as u16 + gap;
-    let below = area.height.saturating_sub(top);
-    let rows = usize::from(below.saturating_sub(DRIVERS)).max(least);
-    let notes = whole_sentences(&notes, room, rows);
-    let kept = notes.len() as u16;
-    if let Some(of) = results.get(chosen) {
-        let height = below.saturating_sub(kept);
-        let field = &mut sheet.part((0, top), (area.width, height));
-        drivers(ensemble, *of, field);
-    }
-    let first = area.height.saturating_sub(kept);
-    sheet.put_lines((1, first), &notes, theme.quiet());
-}
-
-/// The results that have bands: first the risks, the gravest first, which are the answer.
-pub fn listed(ensemble: &Ensemble) -> Vec<Quantity> {
-    let mut results = ensemble.results();
-    results.sort_by_key(|of| !of.is_risk());
-    results
-}
-
 /// What is computed before the first bands, and when those come.
 fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let what = "The blow is simulated over what is published of the eye's materials and over your own \
                 doubt in the inputs: type 300 +- 20 into a field to add some.";
-    let each = model.shown.as_ref().map(|shown| {
+    let each = model.shown.as_ref().map_or_else(String::new, |shown| {
         let seconds = digits(shown.answer.solve_time.as_secs_f64(), 1);
         format!(" One sample takes about as long as the blow itself: {seconds} s.")
     });
     let share = FIRST as f64 / f64::from(job.question.count);
     let until = job.pace.and_then(|pace| pace.until(share));
     let until = until.map_or_else(String::new, |until| format!(", in {until}"));
-    let when = format!(
-        "The first bands come with sample {FIRST}{until}, and fill in from there.{}",
-        each.unwrap_or_default()
-    );
+    let when =
+        format!("The first bands come with sample {FIRST}{until}, and fill in from there.{each}");
     vec![what.to_owned(), when]
 }
 
 fn status(model: &AppModel, theme: Theme) -> (String, Style) {
-    let scenario = &model.work.scenario;
-    let complaint = model.ensemble.complaint(scenario);
-    match (&model.ensemble.task.job, model.ensemble.pace(), complaint) {
-        (Some(job), ..) if job.ending => ("stopping".to_owned(), theme.warning()),
-        (_, Some(pace), _) => (format!("{pace}  Esc stops"), theme.warning()),
-        (.., Some(why)) => (format!("{why}: m goes on"), theme.warning()),
-        (.., None) => {
-            let known = model.ensemble.of(scenario);
-            let text = known.map_or("no samples yet".to_owned(), |ensemble| {
-                format!("{} samples", ensemble.samples.len())
-            });
-            (text, theme.quiet())
-        }
+    let (scenario, samples) = (&model.work.scenario, &model.ensemble);
+    if samples.task.job.as_ref().is_some_and(|job| job.ending) {
+        return ("stopping".to_owned(), theme.warning());
     }
+    let count = samples.of(scenario).map(|ensemble| ensemble.samples.len());
+    let known = count.map_or("no samples yet".to_owned(), |count| format!("{count} samples"));
+    state_of_work(samples.pace(), samples.complaint(scenario), known, theme)
+}
+
+/// Where each of the three numbers of a result ends.
+fn ends() -> impl Iterator<Item = u16> {
+    (1..=3).map(|place| LABEL + 2 + NUMBER * place)
 }
 
 fn heading(sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    for (i, word) in ["low", "median", "high"].iter().enumerate() {
-        let right = LABEL + 2 + NUMBER * (i as u16 + 1);
+    for (right, word) in ends().zip(["low", "median", "high"]) {
         sheet.put_right((right, 1), word, theme.quiet());
     }
     let room = area.width - LABEL - 4 - 3 * NUMBER;
@@ -159,8 +185,7 @@ fn result(
     sheet.put((0, 0), sign, theme.strong());
     let name = format!("{} {}", of.label(), of.row().unit);
     sheet.put((1, 0), fitted(&name, usize::from(LABEL + 1)), style);
-    for (i, value) in [band.low, band.median, band.high].into_iter().enumerate() {
-        let right = LABEL + 2 + NUMBER * (i as u16 + 1);
+    for (right, value) in ends().zip([band.low, band.median, band.high]) {
         let text = if of.is_risk() {
             format!("{value:.0}")
         } else {
@@ -168,8 +193,7 @@ fn result(
         };
         // One column is kept free, so that numbers do not touch.
         let texts = [text, numeral(value, NUMBER - 1)];
-        let text = longest_fitting(&texts, NUMBER - 1);
-        sheet.put_right((right, 0), text, style);
+        sheet.put_right((right, 0), longest_fitting(&texts, NUMBER - 1), style);
     }
     if let Some(range) = answer.and_then(|answer| range(answer, of)) {
         sheet.put_right((area.width - 1, 0), &range, theme.text());
@@ -194,9 +218,7 @@ fn strip(band: Band, nominal: Option<f64>, sheet: &mut Sheet) {
         ((MARGIN + (1.0 - 2.0 * MARGIN) * share) * last).round() as u16
     };
     let (from, to) = (place(band.low), place(band.high));
-    for x in from..=to {
-        sheet.put((x, 0), "─", theme.curve(0));
-    }
+    sheet.put((from, 0), "─".repeat(usize::from(to - from)), theme.curve(0));
     sheet.put((from, 0), "├", theme.curve(0));
     sheet.put((to, 0), "┤", theme.curve(0));
     sheet.put((place(band.median), 0), "┃", theme.cursor());
@@ -230,15 +252,12 @@ fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
         let own = of.source.is_none();
         let style = if own { theme.strong() } else { theme.text() };
         sheet.put((1, row), fitted(of.field.label, usize::from(LABEL)), style);
-        let number = hundredths(correlation);
-        sheet.put_right((LABEL + 7, row), &number, theme.text());
-        let length = (correlation.abs() * f64::from(half)).round() as u16;
-        sheet.put((middle, row), "│", theme.line());
-        for i in 1..=length.min(half) {
-            let right = correlation > 0.0;
-            let x = if right { middle + i } else { middle - i };
-            sheet.put((x, row), "█", theme.curve(right.into()));
-        }
+        sheet.put_right((LABEL + 7, row), hundredths(correlation), theme.text());
+        sheet.put((middle, row), "│", theme.quiet());
+        let length = ((correlation.abs() * f64::from(half)).round() as u16).min(half);
+        let right = correlation > 0.0;
+        let left = if right { middle + 1 } else { middle - length };
+        sheet.put((left, row), "█".repeat(length.into()), theme.curve(right.into()));
         if said > 0 {
             let text = fitted(&distribution(of), usize::from(said - 2));
             sheet.put((area.width - said, row), &text, theme.quiet());
@@ -251,11 +270,8 @@ fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     // The star is that of the band on the main screen.
     let star = if is_whole(ensemble) { "" } else { "* " };
-    let asked = if ensemble.stopped() {
-        format!(" done ({} asked for)", ensemble.asked)
-    } else {
-        String::new()
-    };
+    let asked = ensemble.stopped().then(|| format!(" done ({} asked for)", ensemble.asked));
+    let asked = asked.unwrap_or_default();
     let which = ensemble.which();
     let mut said = vec![format!("{star}Bands of {valid} of {done} samples{asked}, {which}")];
     let counts = ensemble.counts().into_iter();
@@ -264,10 +280,8 @@ fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
     if !counts.is_empty() {
         said.push(format!("Flags: {}.", counts.join(", ")));
     }
-    let wider = |injury: &&Injury| {
-        shown_band(ensemble, answer, injury.result()).is_some_and(|(_, wider)| wider)
-    };
-    let wider: Vec<&str> = Injury::ALL.iter().filter(wider).map(|i| i.word()).collect();
+    let wider = answer.map_or_else(Vec::new, |answer| widened(ensemble, answer));
+    let wider: Vec<&str> = wider.iter().map(|(injury, _)| injury.word()).collect();
     if !wider.is_empty() {
         said.push(format!("Wider than the answer, so shown: {}.", wider.join(", ")));
     }
