@@ -25,8 +25,8 @@ const GROWTH: f64 = 1.05;
 pub(crate) const GONE: f64 = 0.5e-3;
 /// What comes after [`PRESSED_FLAT`] is not in the model, nor what comes where the stability bound
 /// of a cell has fallen to this share of that at rest: it is pressed to nothing. No preset at twice
-/// its speed comes below 0.0026, but what is flat before.
-const PRESSED_TO_NOTHING: f64 = 1e-3;
+/// its speed comes near, but what is flat before.
+const PRESSED_TO_NOTHING: f64 = 7e-4;
 /// An object is narrow if its radius is less than this share of the eye's.
 pub(crate) const NARROW: f64 = 0.25;
 /// Steps between two looks at the watch, and at whether a run may end.

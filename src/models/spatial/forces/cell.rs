@@ -29,11 +29,6 @@ use crate::models::spatial::forces::math::{
     Math, Plain, Three, by_component, cross, dot, minus, plus, times,
 };
 
-/// How many times the least bound of its cells a mesh bears
-/// ([`crate::models::axisymmetric::forces::cell::ASSEMBLED`]): in three dimensions, where fewer
-/// neighbours swell at once, 1.89 times at least and 2.5 in the middle, over 12 blows.
-const ASSEMBLED: f64 = 1.7;
-
 /// What is constant of a cell.
 pub(crate) mod field {
     pub const VOLUME: usize = 0; // m3.
@@ -57,8 +52,7 @@ pub(crate) mod field {
     pub const SENSOR: usize = 42; // Weight in the pressure at the back.
     pub const GLOBE: usize = 43; // 1 for a cell of the globe.
     pub const PRESENT: usize = 44; // 1, or 0 of a place without a cell.
-    pub const INVERSE_MASS: usize = 45; // 1 over an eighth of its mass, 1/kg.
-    pub const COUNT: usize = 46;
+    pub const COUNT: usize = 45;
 }
 
 /// The constants of one cell, by [`field`].
@@ -214,16 +208,11 @@ pub(crate) fn constants(eye: &SpatialEye, cell: &Cell<8>) -> Constants {
     c[field::CORNER_VISCOSITY] = corner::WEIGHT * corner_viscosity;
     let side_squared = libm::cbrt(at_rest * at_rest);
     c[field::HOURGLASS] = 8.0 / 3.0 * corner_viscosity / (64.0 * side_squared);
-    // Speeds count for the bound of the step alone.
-    let slower = 1.0 / ASSEMBLED;
-    c[field::BULK_SPEED] = slower * slower * bulk / density;
-    let other = (4.0 / 3.0 * material.shear + cell.subzonal) / density;
-    c[field::OTHER_SPEED] = slower * slower * other;
-    let constant = LINEAR * sound + 4.0 * SUBZONAL_VISCOSITY * corner_sound;
-    c[field::CONSTANT_SPEED] = slower * constant;
-    c[field::KINEMATIC] = slower * material.viscosity / density;
-    c[field::INVERSE_MASS] = 8.0 / (density * at_rest);
-    c[field::CORNER_SPEED] = corner::WEIGHT * cell.subzonal * c[field::INVERSE_MASS];
+    c[field::BULK_SPEED] = bulk / density;
+    c[field::OTHER_SPEED] = (4.0 / 3.0 * material.shear + cell.subzonal) / density;
+    c[field::CONSTANT_SPEED] = LINEAR * sound + 4.0 * SUBZONAL_VISCOSITY * corner_sound;
+    c[field::KINEMATIC] = material.viscosity / density;
+    c[field::CORNER_SPEED] = corner::WEIGHT * cell.subzonal / (density * at_rest / 8.0);
     c[field::PRESENT] = 1.0;
     c
 }
@@ -281,7 +270,7 @@ pub(crate) fn respond<M: Math>(
     let fast = m.most(expansion, -expansion);
     let viscous_speed = c.get(m, field::CONSTANT_SPEED)
         + m.number(2.0) * c.get(m, field::KINEMATIC) * inverse_length
-        + m.number(QUADRATIC / ASSEMBLED) * length * fast;
+        + m.number(QUADRATIC) * length * fast;
     let stiff = c.get(m, field::BULK_SPEED) * inverse_j * inverse_j + c.get(m, field::OTHER_SPEED);
     let waves = (m.root(stiff + viscous_speed * viscous_speed) + viscous_speed) * inverse_length;
     let diffusion = m.number(4.0) * c.get(m, field::KINEMATIC) * inverse_length * inverse_length;

@@ -6,11 +6,8 @@
 //! They see j and not j/J: what they hold stiff is a little stiffer in bulk by it.
 //!
 //! Their viscosity is against changes of shape, VT'/VT - V'/V. Two bounds of the step are theirs:
-//! 4/(d + sqrt(d^2 + 4 w^2)) with w^2 = (3/4) Ks j^-4 / VT0 sum |dVT/dx|^2 / (rho V0/8) of the
-//! stiffest and d = 0.7 (3/4) (eta/VT) sum |dVT/dx|^2 / (rho V0/8) of the most damped, and half of
-//! the time in which one would be gone at its present rate. Without w fast small objects fold cells;
-//! without d the bound of crushed cells is up to 1.4 times what a whole mesh bears by its largest
-//! eigenvalue, with it 1.26 times less (a golf ball and a foam ball that crush fat on bone).
+//! 2/w with w^2 = (3/4) Ks j^-4 / VT0 sum |dVT/dx|^2 / (rho V0/8), and half of the time in which
+//! one would be gone at its present rate. Without them fast small objects fold cells.
 
 use crate::models::axisymmetric::forces::cell::{LOSS_IN_STEP, SQUEEZED};
 use crate::models::spatial::forces::cell::{Constants, Eight, Fields, field};
@@ -79,7 +76,7 @@ pub(crate) fn respond<M: Math>(
     let sixth = m.number(1.0 / 6.0);
     let squeezed = m.number(SQUEEZED);
     let (mut back, mut loss, mut least) = (zero, zero, m.number(f64::INFINITY));
-    let (mut stiffest, mut damping, mut shrinking) = (zero, zero, zero);
+    let (mut stiffest, mut shrinking) = (zero, zero);
     macro_rules! at {
         ($n:expr) => {{
             const N: usize = $n;
@@ -115,7 +112,6 @@ pub(crate) fn respond<M: Math>(
             let squares = dot(c1, c1) + dot(c2, c2) + dot(c4, c4) + dot(own, own);
             // |dVT/dx|^2 is a 36th of that, and VT0 a sixth of what is known at rest.
             stiffest = m.most(stiffest, slope * squares * inverse_rest);
-            damping = m.most(damping, squares * inverse_squeezed);
             let (f1, f2, f4) = (times(c1, by), times(c2, by), times(c4, by));
             force[N | 1] = plus(force[N | 1], f1);
             force[N & !1] = minus(force[N & !1], f1);
@@ -133,9 +129,7 @@ pub(crate) fn respond<M: Math>(
     at!(5);
     at!(6);
     at!(7);
-    let squared = c.get(m, field::CORNER_SPEED) * sixth * stiffest;
-    let damped = m.number(0.7) * eta * damping * sixth * c.get(m, field::INVERSE_MASS);
-    let bound = m.number(0.25) * (damped + m.root(damped * damped + m.number(4.0) * squared));
-    let rate = m.most(bound, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
+    let frequency = m.root(c.get(m, field::CORNER_SPEED) * sixth * stiffest);
+    let rate = m.most(m.number(0.5) * frequency, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
     Corners { back, loss, rate, least }
 }

@@ -26,9 +26,8 @@ use crate::models::spatial::forces::state::NodeState;
 use fearless_simd::{Level, Simd, dispatch};
 use nalgebra::{Matrix2, Vector3};
 
-/// Courant number of the shell over that of the cells. Its nodes carry cells, too: with 0.96 it would
-/// be the longest stable step of a whole eye at rest.
-const COURANT: f64 = 0.7;
+/// Courant number of the shell over that of the cells.
+const COURANT: f64 = 0.5;
 /// How much of a quad is its middle.
 const MIDDLE: f64 = 0.75;
 /// Least determinant of a metric, where a quad is flat as a line.
