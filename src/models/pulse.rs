@@ -144,21 +144,15 @@ mod tests {
     }
 
     #[test]
-    fn segments_cover_the_window_without_gaps() {
-        for (shape, _) in shapes() {
+    fn segments_cover_the_window_without_gaps_and_the_force_adds_up_to_the_impulse() {
+        for (shape, mean) in shapes() {
+            let pulse = pulse(shape.clone());
             for window in [1e-4, 2e-4, 3e-3] {
-                let segments = pulse(shape.clone()).segments(window);
+                let segments = pulse.segments(window);
                 assert_eq!(segments[0].start, 0.0);
                 assert!((segments.last().unwrap().end - window).abs() < 1e-18);
                 assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].start));
             }
-        }
-    }
-
-    #[test]
-    fn the_force_adds_up_to_the_impulse() {
-        for (shape, mean) in shapes() {
-            let pulse = pulse(shape.clone());
             let sum = |s: &Segment| {
                 let h = (s.end - s.start) / 20_000.0;
                 let middles = (0..20_000).map(|i| s.start + (f64::from(i) + 0.5) * h);

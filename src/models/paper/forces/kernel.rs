@@ -218,8 +218,7 @@ pub(crate) fn start(
     on_vectors!(system, start_as(system, state, keep_before, stage))
 }
 
-/// Force evaluation at the state's positions into its acceleration, then v += kick a, with a
-/// survey of the whole mesh.
+/// Evaluates the acceleration at the positions, then v += kick a; surveys the whole mesh.
 pub(crate) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64) -> Survey {
     on_vectors!(system, evaluate_as(system, state, force, kick))
 }
