@@ -187,16 +187,13 @@ mod tests {
     }
 
     #[test]
-    fn a_table_jumps_at_its_ends_waits_for_its_first_knot_and_may_pull() {
+    fn a_table_jumps_at_its_ends_waits_for_its_first_knot_may_pull_and_follows_a_duration() {
         let pulse = pulse(table(&[(0.05, 0.5), (0.1, -1.0), (0.2, 0.25)]));
         assert_eq!(force_at(&pulse, 0.02e-3), [0.0]);
         assert_eq!(force_at(&pulse, 0.05e-3), [0.0, 50.0]);
         assert_eq!(force_at(&pulse, 0.1e-3), [-100.0, -100.0]);
         assert_eq!(force_at(&pulse, 0.2e-3), [25.0, 0.0]);
-    }
-
-    #[test]
-    fn a_duration_stretches_a_table() {
+        // A duration stretches it.
         let mut input = ForcePulse { force_n: 100.0, ..ForcePulse::default() };
         input.follow(Curve::new([(0.02, 0.5), (0.05, 1.0), (0.1, 0.0)]).unwrap());
         assert_eq!(Pulse::new(&input).duration(), 0.1e-3);

@@ -52,14 +52,9 @@ pub struct Cell<const CORNERS: usize> {
     pub subzonal: f64,
 }
 
-impl<const CORNERS: usize> Cell<CORNERS> {
+impl<const N: usize> Cell<N> {
     /// One of the globe, with its share of lens, or of what holds that.
-    pub(crate) fn new(
-        of: &Parameters,
-        corners: [usize; CORNERS],
-        region: Tissue,
-        lens: f64,
-    ) -> Self {
+    pub(crate) fn new(of: &Parameters, corners: [usize; N], region: Tissue, lens: f64) -> Self {
         let around = of.surround.filter(|_| region == Tissue::Surround).map(|s| s.material);
         let lens = if around.is_none() { lens } else { 0.0 };
         let material = around.unwrap_or_else(|| of.lens.material.mixed(of.vitreous, lens));

@@ -127,18 +127,12 @@ impl Account {
         share
     }
 
-    /// Extremes by an object, from its energy and that of its contact with eye and bone, J.
-    pub fn read_object(
-        &mut self,
-        energy: f64,
-        (on_eye, on_bone): (f64, f64),
-        intrusion: f64,
-        time: f64,
-    ) {
+    /// Extremes by an object: its energy, that of its contact with eye and bone, J, its way in, m.
+    pub fn read_object(&mut self, energy: f64, (on_eye, on_bone): (f64, f64), way: f64, time: f64) {
         let kept = energy + self.energy.lost_in_object;
         let given = self.energy_before - kept - on_eye - on_bone;
         self.extremes.energy_given.offer(given, time);
-        self.extremes.intrusion.offer(intrusion, time);
+        self.extremes.intrusion.offer(way, time);
     }
 
     pub fn read_shape(&mut self, shape: &Shape, time: f64) {
