@@ -18,8 +18,7 @@ use crate::run::{model::EyeModel, rules::Rules};
 use crate::scenario::{CheckedScenario, Geometry, Impact, Model, Scenario};
 use std::sync::Arc;
 
-/// The vectors that this machine computes by, in words; `portable` says what rounds alike
-/// everywhere.
+/// The vectors of this machine, in words; `portable` says what rounds alike everywhere.
 pub use paper::forces::kernel::name as kernel_name;
 
 /// Integrators, error estimates and mesh rules of the model that a scenario needs.

@@ -144,21 +144,15 @@ mod tests {
     }
 
     #[test]
-    fn segments_cover_the_window_without_gaps() {
-        for (shape, _) in shapes() {
+    fn segments_cover_the_window_without_gaps_and_the_force_adds_up_to_the_impulse() {
+        for (shape, mean) in shapes() {
+            let pulse = pulse(shape.clone());
             for window in [1e-4, 2e-4, 3e-3] {
-                let segments = pulse(shape.clone()).segments(window);
+                let segments = pulse.segments(window);
                 assert_eq!(segments[0].start, 0.0);
                 assert!((segments.last().unwrap().end - window).abs() < 1e-18);
                 assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].start));
             }
-        }
-    }
-
-    #[test]
-    fn the_force_adds_up_to_the_impulse() {
-        for (shape, mean) in shapes() {
-            let pulse = pulse(shape.clone());
             let sum = |s: &Segment| {
                 let h = (s.end - s.start) / 20_000.0;
                 let middles = (0..20_000).map(|i| s.start + (f64::from(i) + 0.5) * h);
@@ -193,16 +187,13 @@ mod tests {
     }
 
     #[test]
-    fn a_table_jumps_at_its_ends_waits_for_its_first_knot_and_may_pull() {
+    fn a_table_jumps_at_its_ends_waits_for_its_first_knot_may_pull_and_follows_a_duration() {
         let pulse = pulse(table(&[(0.05, 0.5), (0.1, -1.0), (0.2, 0.25)]));
         assert_eq!(force_at(&pulse, 0.02e-3), [0.0]);
         assert_eq!(force_at(&pulse, 0.05e-3), [0.0, 50.0]);
         assert_eq!(force_at(&pulse, 0.1e-3), [-100.0, -100.0]);
         assert_eq!(force_at(&pulse, 0.2e-3), [25.0, 0.0]);
-    }
-
-    #[test]
-    fn a_duration_stretches_a_table() {
+        // A duration stretches it.
         let mut input = ForcePulse { force_n: 100.0, ..ForcePulse::default() };
         input.follow(Curve::new([(0.02, 0.5), (0.05, 1.0), (0.1, 0.0)]).unwrap());
         assert_eq!(Pulse::new(&input).duration(), 0.1e-3);

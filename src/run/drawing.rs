@@ -84,7 +84,7 @@ pub struct Held {
 }
 
 /// An eye as it is drawn.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Drawing {
     /// All nodes, mirrored ones included.
     pub nodes: Vec<DrawnNode>,

@@ -74,7 +74,7 @@ pub struct Keep {
 }
 
 /// All nodes at one instant.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Frame {
     /// Time, in s.
     pub time: f64,

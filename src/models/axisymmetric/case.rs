@@ -55,9 +55,7 @@ impl AxisymmetricCase {
                 let half_width = pulse.half_width_deg.to_radians();
                 (pulse.angle_deg, AxisymmetricLoad::Pulse(Pulse::new(pulse), half_width))
             }
-            Impact::Projectile(projectile) => {
-                (projectile.angle_deg, AxisymmetricLoad::Object(object(projectile)))
-            }
+            Impact::Projectile(of) => (of.angle_deg, AxisymmetricLoad::Object(object(of))),
         };
         let eye = AxisymmetricEye::new(&parameters(model, angle_deg), scenario.eye.level);
         Self {
@@ -77,10 +75,7 @@ impl AxisymmetricCase {
     fn refused(&self, stop: Stop) -> Refusal {
         let shell = &self.eye.mesh.shell;
         let apart = distance(self.eye.at(shell[1]), self.eye.at(shell[0]));
-        let object = match &self.load {
-            AxisymmetricLoad::Object(object) => Some(object),
-            AxisymmetricLoad::Pulse(..) => None,
-        };
+        let object = if let AxisymmetricLoad::Object(of) = &self.load { Some(of) } else { None };
         refused(stop, object, (self.eye.level, apart))
     }
 }
@@ -112,10 +107,7 @@ pub(crate) fn refused(stop: Stop, object: Option<&Object>, (level, apart): (u32,
 
 /// Duration of a pulse, in s.
 pub(crate) fn duration(load: &AxisymmetricLoad) -> Option<f64> {
-    match load {
-        AxisymmetricLoad::Pulse(pulse, _) => Some(pulse.duration()),
-        AxisymmetricLoad::Object(_) => None,
-    }
+    if let AxisymmetricLoad::Pulse(pulse, _) = load { Some(pulse.duration()) } else { None }
 }
 
 /// What the eye of a scenario is made of, about an axis at so many degrees from its own.
@@ -145,18 +137,16 @@ pub(crate) fn parameters(model: &Physiological, angle_deg: f64) -> Parameters {
     parameters
 }
 
-fn surround(model: &Physiological) -> Option<Surround> {
-    let (plain, bulk_mpa, shear_kpa, opening_deg) = match model.support {
+fn surround(of: &Physiological) -> Option<Surround> {
+    let (plain, opening_deg, bulk_mpa, shear_kpa) = match of.support {
         Support::Free => return None,
         Support::Orbit => {
-            (Surround::orbit(), model.fat_bulk_mpa, model.fat_shear_kpa, model.orbit_opening_deg)
+            (Surround::orbit(), of.orbit_opening_deg, of.fat_bulk_mpa, of.fat_shear_kpa)
         }
-        Support::Gelatin => (
-            Surround::gelatin(),
-            model.gelatin_bulk_mpa,
-            model.gelatin_shear_kpa,
-            model.gelatin_opening_deg,
-        ),
+        Support::Gelatin => {
+            let opening_deg = of.gelatin_opening_deg;
+            (Surround::gelatin(), opening_deg, of.gelatin_bulk_mpa, of.gelatin_shear_kpa)
+        }
     };
     let material = Material { bulk: bulk_mpa * 1e6, shear: shear_kpa * 1e3, ..plain.material };
     Some(Surround { material, opening: opening_deg.to_radians(), ..plain })

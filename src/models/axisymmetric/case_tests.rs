@@ -10,6 +10,7 @@ use crate::scenario::{
     ForcePulse, Geometry, Impact, NumericsInput, Outline, Projectile, Scenario, Surface,
 };
 use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
 
 fn scene(projectile: Projectile) -> Scenario {
     Scenario {
@@ -140,7 +141,6 @@ fn short() -> Scenario {
 #[test]
 fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
     use crate::many::ensemble::{PILOT, run};
-    use std::sync::atomic::AtomicBool;
     let mut scenario = short();
     set(&mut scenario, "model.sclera_mpa", "138 ± 20").unwrap();
     set(&mut scenario, "impact.speed_m_s", "30 ± 2").unwrap();
@@ -169,7 +169,6 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
     use crate::many::map::{Grid, Span, Spot, fill};
     use crate::many::sweep::{Sweep, SweepAxis};
     use crate::scenario::fields::find;
-    use std::sync::atomic::AtomicBool;
     let axis = |text: &str| SweepAxis::read(text).unwrap();
     let axes = vec![axis("model.support=Orbit,Free"), axis("impact.speed_m_s=20,40")];
     let sweep = Sweep::new(short(), axes).unwrap();

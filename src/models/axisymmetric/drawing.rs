@@ -62,13 +62,11 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
     });
     let outlines = outlines(eye, &image);
     let mut drawing = Drawing {
-        rim: Vec::new(),
         cells: cells.collect(),
         outlines,
         monitors: monitored(eye),
         loaded: loaded.flat_map(|ends| [ends, mirrored(ends)]).collect(),
         loaded_until: pulse.map_or(0.0, |(duration, _)| duration),
-        reach: (0.0, 0.0),
         along: Some(along),
         object: match &case.load {
             AxisymmetricLoad::Object(object) => Some(object.outline.drawn(along)),
@@ -76,6 +74,7 @@ pub(crate) fn of(case: &AxisymmetricCase) -> Drawing {
         },
         nodes,
         lines,
+        ..Drawing::default()
     };
     drawing.reach = reach(drawing.nodes.iter().map(|node| drawing.at_rest(node)));
     drawing
@@ -151,8 +150,7 @@ fn half_section(eye: &AxisymmetricEye) -> (Vec<Line>, BTreeSet<usize>) {
 /// Edges on about as many rows and columns of a block as it has at level 1, and where these cross.
 fn coarse_lines(block: &Block, level: u32) -> (Vec<(usize, usize)>, Vec<usize>) {
     let chosen = |intervals: usize| -> BTreeSet<usize> {
-        // The mesh of level k has (2k + 2)/4 times as many cells along each side as that of level
-        // 1.
+        // Level k has (2k + 2)/4 times as many cells along each side as level 1.
         let coarse = (2.0 * intervals as f64 / f64::from(level + 1)).round().max(1.0);
         let place = |i: usize| (i as f64 * intervals as f64 / coarse).round() as usize;
         (0..=coarse as usize).map(place).collect()

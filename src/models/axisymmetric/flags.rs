@@ -25,36 +25,24 @@ pub(crate) fn raise(
         );
         raised.raise(FlagKind::AngleBeyondTrust, said);
     }
-    let asked = Asked { window: case.window, pulse: duration(&case.load), rim: case.rim };
-    of_blow(&asked, extremes, (readings, simulated), &mut raised);
+    let asked = (case.window, duration(&case.load), case.rim);
+    of_blow(asked, extremes, (readings, simulated), &mut raised);
     raised.flags()
 }
 
-/// What was asked of a run.
-pub(crate) struct Asked {
-    /// How long it may last.
-    pub window: Until,
-    /// Duration of a pulse, in s.
-    pub pulse: Option<f64>,
-    /// What catches an object that is too wide.
-    pub rim: &'static str,
-}
-
-/// A number to its second digit.
-fn two_digits(value: f64) -> f64 {
-    format!("{value:.1e}").parse().unwrap_or(value)
-}
-
-/// Flags that every eye of cells can raise.
+/// Flags that every eye of cells can raise, of a run that may last so long, by a pulse of some
+/// duration, in s, or an object, which is caught by some `rim` if it is too wide.
 pub(crate) fn of_blow(
-    asked: &Asked,
+    (until, pulse, rim): (Until, Option<f64>, &str),
     extremes: &Extremes,
     (readings, simulated): (&Readings, f64),
     raised: &mut Raised,
 ) {
     if extremes.rim_force.value > 0.0 {
-        let (rim, force) = (asked.rim, extremes.rim_force);
-        let (at, most) = (force.time * 1e3, plain(two_digits(force.value)));
+        let force = extremes.rim_force;
+        // To its second digit.
+        let most = format!("{:.1e}", force.value).parse().unwrap_or(force.value);
+        let (at, most) = (force.time * 1e3, plain(most));
         let said = format!("{rim} met the projectile at {at:.3} ms, with {most} N");
         raised.raise_at(force.time, FlagKind::RimStops, said);
         if extremes.missed() {
@@ -62,9 +50,9 @@ pub(crate) fn of_blow(
         }
     }
     if let Some(time) = extremes.crushed_at {
-        let at = time * 1e3;
         let said = format!(
-            "the object's surface was crushed through at {at:.3} ms: from there on it is as hard as its core"
+            "the object's surface was crushed through at {:.3} ms: from there on it is as hard as its core",
+            time * 1e3
         );
         raised.raise_at(time, FlagKind::SurfaceCrushed, said);
     }
@@ -88,22 +76,22 @@ pub(crate) fn of_blow(
         );
         raised.raise_at(time, FlagKind::EyeFlat, said);
     } else {
-        window(asked, extremes, (readings, simulated), raised);
+        window((until, pulse), extremes, (readings, simulated), raised);
     }
 }
 
 /// Flags of a window that ends too early.
 fn window(
-    asked: &Asked,
+    (until, pulse): (Until, Option<f64>),
     extremes: &Extremes,
     (readings, simulated): (&Readings, f64),
     raised: &mut Raised,
 ) {
-    let end = asked.window.most();
-    if let Some(pulse) = asked.pulse.filter(|pulse| end < *pulse) {
+    let end = until.most();
+    if let Some(pulse) = pulse.filter(|pulse| end < *pulse) {
         return raised.pulse_cut(end, pulse);
     }
-    if matches!(asked.window, Until::Settled(_)) && simulated >= end {
+    if matches!(until, Until::Settled(_)) && simulated >= end {
         let cap = plain((end * 1e9).round() / 1e6);
         let said = format!(
             "after {cap} ms, the most that window_ms: Auto simulates, a result could still grow"

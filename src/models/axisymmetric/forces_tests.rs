@@ -21,10 +21,6 @@ fn eye(surround: Option<Surround>, level: u32) -> AxisymmetricEye {
     AxisymmetricEye::new(&parameters, level)
 }
 
-fn free_eye(level: u32) -> AxisymmetricEye {
-    eye(None, level)
-}
-
 /// Of the nodes of the shell at rest all places along the axis, then those from it.
 fn shell_at_rest(eye: &AxisymmetricEye) -> Vec<f64> {
     let (x, r): (Vec<f64>, Vec<f64>) = eye.mesh.shell.iter().map(|&n| eye.at(n)).unzip();
@@ -106,7 +102,7 @@ proptest! {
     fn the_shells_force_is_minus_the_slope_of_its_energy(
         shifts in prop::array::uniform32(-1e-4..1e-4),
     ) {
-        let eye = free_eye(1);
+        let eye = eye(None, 1);
         let shell = Shell::new(&eye);
         let mut at = shell_at_rest(&eye);
         for (x, shift) in at.iter_mut().zip(shifts.iter().cycle()) {
@@ -119,7 +115,7 @@ proptest! {
 
 #[test]
 fn contact_forces_are_minus_the_slope_of_its_energy_for_every_outline_and_surface() {
-    let eye = free_eye(2);
+    let eye = eye(None, 2);
     let target = Target::new(&eye);
     let n = eye.mesh.shell.len();
     let still = vec![0.0; n];
@@ -269,8 +265,7 @@ fn a_ball_under_pressure_is_in_balance_where_its_stress_is_p_r_over_2_t() {
         for tension in tension.iter().flatten() {
             assert!((tension / stress - 1.0).abs() < 1e-9);
         }
-        // The law is per area at rest: on the grown ball the same tension is spread over more
-        // length.
+        // The law is per area at rest: grown, the same tension is spread over more length.
         let pressure = 2.0 * stress * 0.5e-3 / (12e-3 * grown * grown);
         let mut worst: f64 = 0.0;
         for i in 1..x.len() - 1 {

@@ -2,13 +2,12 @@
 
 use crate::models::axisymmetric::recording::results::Extremes;
 use crate::run::model::{Detail, Shown};
+use crate::run::quantity::Quantity;
 use crate::run::readings::{Reading, Readings};
-use crate::run::{places::Monitor, quantity::Quantity};
 
 /// The readings of a run. The paper's S, the growth of the shell's length, is that of the meridian;
 /// its M is that of the largest diameter across the blow.
 pub fn of(e: &Extremes) -> Readings {
-    let node = |monitor: Monitor| Some(e.node_force[monitor as usize].into());
     // Without an object there is neither contact nor a way into the eye.
     let of_object = |reading: Reading| e.rebound.map(|_| reading);
     Readings::from_fn(|of| match of {
@@ -16,10 +15,6 @@ pub fn of(e: &Extremes) -> Readings {
         Quantity::MeridianGrowth => Some(e.equator_growth.into()),
         Quantity::Energy => Some(e.energy_imparted.into()),
         Quantity::Apex => Some(e.apex.into()),
-        Quantity::ForceCentre => node(Monitor::Centre),
-        Quantity::ForceFront => node(Monitor::Front),
-        Quantity::ForceRight => node(Monitor::Right),
-        Quantity::ForceTop => node(Monitor::Top),
         Quantity::Pressure => Some(e.pressure.into()),
         Quantity::Contact => of_object(e.mean_force.into()),
         Quantity::BackPressure => Some(e.mean_back_pressure.into()),
@@ -34,7 +29,7 @@ pub fn of(e: &Extremes) -> Readings {
         Quantity::IrisPull => Some(e.tissue[4].into()),
         Quantity::CornealEnergy => Some(e.energy_over_contact().into()),
         Quantity::Rebound => e.rebound.map(Reading::from),
-        _ => None,
+        _ => Some(e.node_force[Quantity::FORCES.iter().position(|force| *force == of)?].into()),
     })
 }
 

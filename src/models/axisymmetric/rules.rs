@@ -11,7 +11,10 @@ use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Re
 use crate::scenario::{FINEST_PHYSIOLOGICAL_LEVEL, Integrator};
 
 /// Integrators, error estimates and mesh rules of the axisymmetric model.
-pub(crate) static RULES: Rules = Rules {
+pub(crate) static RULES: Rules = OF_CELLS;
+
+/// The same, of which other eyes of cells take over what they share.
+pub(crate) const OF_CELLS: Rules = Rules {
     name: "Physiological",
     element: Element::Cell,
     // A cell with its share of shell and nodes takes some 40 ns, a spring a little more than one.
@@ -61,14 +64,10 @@ fn scatter(of: Quantity) -> MeshScatter {
     match of {
         Quantity::ShellGrowth => MeshScatter::within(0.09, 0.3),
         // Accelerations over 20 us follow each wave, and each mesh has its own.
-        Quantity::ForceCentre
-        | Quantity::ForceFront
-        | Quantity::ForceRight
-        | Quantity::ForceTop => MeshScatter::within(0.25, 0.3),
+        _ if Quantity::FORCES.contains(&of) => MeshScatter::within(0.25, 0.3),
         // The wall's largest stretch wanders between segments.
         Quantity::EquatorStretch | Quantity::BackStretch => MeshScatter::within(0.10, 0.3),
-        // What the lens does late, in a vitreous that hardly holds it, fades as the mesh gets
-        // finer.
+        // What the lens does late, hardly held by the vitreous, fades as the mesh gets finer.
         Quantity::LensPull => MeshScatter { least: 0.1, ..MeshScatter::within(0.6, 0.6) },
         Quantity::IrisPull => MeshScatter { least: 0.2, ..MeshScatter::within(0.35, 0.5) },
         Quantity::ScleralStress | Quantity::EdgeGrowth | Quantity::CornealEnergy => {

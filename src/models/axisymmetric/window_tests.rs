@@ -70,7 +70,7 @@ fn what_never_settles_meets_a_cap_that_is_flagged() {
 }
 
 /// A pulse of so many N for so many ms, as a triangle, on the default eye held by something.
-fn struck_in(support: Support, force_n: f64, duration_ms: f64) -> Answer {
+fn struck(support: Support, force_n: f64, duration_ms: f64) -> Answer {
     let scenario = Scenario {
         model: Model::Physiological(Physiological { support, ..Physiological::default() }),
         impact: Impact::ForcePulse(ForcePulse { force_n, duration_ms, ..ForcePulse::default() }),
@@ -79,20 +79,18 @@ fn struck_in(support: Support, force_n: f64, duration_ms: f64) -> Answer {
     answered(&scenario)
 }
 
-fn struck(force_n: f64, duration_ms: f64) -> Answer {
-    struck_in(Support::Orbit, force_n, duration_ms)
-}
-
 #[test]
-fn a_long_pulse_is_never_cut() {
-    let answer = struck(20.0, 9.0);
+fn a_long_pulse_is_never_cut_and_what_shortens_an_eye_more_than_any_test_is_flagged() {
+    let answer = struck(Support::Orbit, 20.0, 9.0);
     assert!(answer.run.simulated > 9e-3 && answer.flags.is_empty());
+    assert!(!struck(Support::Orbit, 100.0, 0.7).has(FlagKind::BeyondTests));
+    assert!(struck(Support::Orbit, 800.0, 0.7).has(FlagKind::BeyondTests));
 }
 
 #[test]
 fn an_eye_that_is_pressed_flat_ends_the_run_and_all_is_at_least() {
     for (force_n, duration_ms) in [(1e3, 0.7), (5e3, 0.7), (1e5, 0.05)] {
-        let answer = struck(force_n, duration_ms);
+        let answer = struck(Support::Orbit, force_n, duration_ms);
         assert!(answer.has(FlagKind::EyeFlat), "{force_n} N");
         // Meshes may agree on it, which says nothing of an eye.
         let mesh = answer.errors.mesh.unwrap();
@@ -105,18 +103,12 @@ fn an_eye_that_is_pressed_flat_ends_the_run_and_all_is_at_least() {
 #[test]
 fn how_a_free_eye_flies_off_as_a_whole_is_no_injury() {
     // 20 N for so long gives it 14 and 53 m/s.
-    let [short, long] = [5.0, 20.0].map(|ms| struck_in(Support::Free, 20.0, ms));
+    let [short, long] = [5.0, 20.0].map(|ms| struck(Support::Free, 20.0, ms));
     for quantity in [Quantity::Energy, Quantity::Damage, Quantity::CornealEnergy] {
         let [short, long] = [&short, &long].map(|answer| answer.result(quantity).unwrap());
         assert!(long < 1.2 * short, "{quantity:?}: {short} {long}");
     }
     assert!(long.result(Quantity::Apex).unwrap() < 10.0);
-}
-
-#[test]
-fn an_eye_that_is_shorter_than_in_any_test_is_flagged() {
-    assert!(!struck(100.0, 0.7).has(FlagKind::BeyondTests));
-    assert!(struck(800.0, 0.7).has(FlagKind::BeyondTests));
 }
 
 #[test]

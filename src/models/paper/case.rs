@@ -42,8 +42,7 @@ impl PaperCase {
         Self::with(scenario, false, false)
     }
 
-    /// Compiles a scenario; `whole` leaves symmetry unused, `portable` asks for the
-    /// kernel that rounds alike everywhere.
+    /// Compiles it; `whole` leaves symmetry unused, the `portable` kernel rounds alike everywhere.
     pub fn with(scenario: &CheckedScenario, whole: bool, portable: bool) -> Self {
         let (Some(pulse), Some(window_ms)) = (scenario.pulse(), scenario.known_window_ms()) else {
             unreachable!("no checked scenario has an object at the Paper model");

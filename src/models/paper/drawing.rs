@@ -26,7 +26,6 @@ pub(crate) fn of(case: &PaperCase) -> Drawing {
     let sides = shell.iter().zip(shell.iter().cycle().skip(1));
     let loaded = sides.filter(|(a, _)| is_loaded(**a));
     Drawing {
-        rim: Vec::new(),
         nodes: eye.nodes.iter().enumerate().map(node).collect(),
         lines: eye.springs.iter().filter_map(line).collect(),
         monitors: eye.landmarks.monitors,
@@ -35,8 +34,7 @@ pub(crate) fn of(case: &PaperCase) -> Drawing {
         cells: (0..).zip(&eye.quads).map(|(of, &corners)| DrawnCell { corners, of }).collect(),
         outlines: outlines(eye),
         reach: reach(std::iter::empty()),
-        along: None,
-        object: None,
+        ..Drawing::default()
     }
 }
 

@@ -65,8 +65,7 @@ impl EyeModel for PaperCase {
             let counted = segments.iter().filter(|s| !loaded || s.piece != Piece::Nothing);
             counted.map(|s| plan.steps_in(s)).sum()
         };
-        // A coarser run is cheaper, but tells nothing if the load or short segments take the same
-        // steps.
+        // A coarser run is cheaper; it tells nothing if load or short segments take the same steps.
         let telling = |loaded: bool| {
             steps(plan, loaded) as f64 > 0.5 * (1.0 + ratio) * steps(&coarser, loaded) as f64
         };
@@ -76,8 +75,7 @@ impl EyeModel for PaperCase {
             && telling(true)
             && telling(false);
         if plan.integrator.method().adaptive() {
-            // Its error follows the tolerance, unless the longest step binds; a finer run shows
-            // both.
+            // Its error follows the tolerance, or the longest step; a finer run shows both.
             (finer, safety)
         } else if coarser_tells {
             (coarser, safety / (ratio.powi(order) - 1.0))
@@ -96,13 +94,12 @@ impl EyeModel for PaperCase {
             details: readings::details(self, extremes),
             flags: flags::raise(self, extremes),
             fold: extremes.fold,
-            missed: false,
             energy_residual: extremes.energy_residual,
-            sectors: None,
             simulated: recording.simulated,
             traces: recording.traces,
             frames: recording.frames,
             cost: recording.cost,
+            ..Run::default()
         })
     }
 

@@ -2,22 +2,17 @@
 
 use crate::models::paper::{case::PaperCase, flags::NEGLIGIBLE, recording::PaperExtremes};
 use crate::run::model::{Detail, Shown};
-use crate::run::{places::Monitor, quantity::Quantity, readings::Readings};
+use crate::run::{quantity::Quantity, readings::Readings};
 
 /// The readings of a run.
 pub(crate) fn of(e: &PaperExtremes) -> Readings {
-    let node = |monitor: Monitor| Some(e.force[monitor as usize].into());
     Readings::from_fn(|of| match of {
         Quantity::ShellGrowth => Some(e.shell_growth.into()),
         Quantity::MeridianGrowth => Some(e.meridian_growth.into()),
         Quantity::Energy => Some(e.work.into()),
         Quantity::Apex => Some(e.apex.into()),
-        Quantity::ForceCentre => node(Monitor::Centre),
-        Quantity::ForceFront => node(Monitor::Front),
-        Quantity::ForceRight => node(Monitor::Right),
-        Quantity::ForceTop => node(Monitor::Top),
         Quantity::StoredEnergy => Some(e.elastic.into()),
-        _ => None,
+        _ => Some(e.force[Quantity::FORCES.iter().position(|force| *force == of)?].into()),
     })
 }
 

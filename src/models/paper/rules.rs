@@ -33,8 +33,7 @@ pub(crate) static RULES: Rules = Rules {
         safety: 5.5,
         // Rounding and the search for peaks end here.
         floor_percent: 1e-6,
-        // The same waves pass the three nodes of the shell. The force at the centre is far
-        // smoother, and really is better.
+        // The same waves pass the three nodes of the shell; the force at the centre is smoother.
         family: (Family::ShellForces, 0.03),
     },
     refinement: Refinement::WHILE_A_PERSON_WAITS,
@@ -71,8 +70,7 @@ fn scatter(of: Quantity) -> MeshScatter {
         Quantity::Damage | Quantity::MeridianGrowth => {
             MeshScatter { order: 2, ..MeshScatter::within(0.055, 0.3) }
         }
-        // Finer shells crumple where level 1 stretches: hardly any growth is left, which only its
-        // size bounds.
+        // Finer shells crumple where level 1 stretches, which leaves hardly any growth.
         Quantity::ShellGrowth => MeshScatter { least: 1e-3, ..MeshScatter::within(0.5, 0.5) },
         Quantity::Energy => MeshScatter::within(0.08, 0.3),
         Quantity::ForceCentre => MeshScatter::within(0.1, 0.3),

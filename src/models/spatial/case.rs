@@ -1,7 +1,7 @@
 //! An eye in three dimensions, ready to be hit.
 
 use crate::models::axisymmetric::case::{LONGEST, ORBITS_RIM, object, parameters, refused};
-use crate::models::axisymmetric::flags::{Asked, of_blow};
+use crate::models::axisymmetric::flags::of_blow;
 use crate::models::axisymmetric::forces::object::Object;
 use crate::models::axisymmetric::time::march::{Steps, Stop};
 use crate::models::axisymmetric::{self, eye::parameters::Parameters, time::until::Until};
@@ -21,8 +21,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// Energy of flight that breaks bone in half of all cases, in J: of a baseball at 13.9 m/s on the
-/// cheekbone, part of which squeezes the ball. Walls of orbits were computed to break at 16 to 41
-/// J.
+/// cheekbone, part of which squeezes it; computed walls of orbits break at 16 to 41 J.
 const BONE_BREAKS: f64 = 14.0;
 
 /// A blow this little out of the plane through the eye's axis is in it, in m.
@@ -193,17 +192,12 @@ impl EyeModel for SpatialCase {
 }
 
 /// Flags of a run of `simulated` s.
-fn flags(
-    case: &SpatialCase,
-    extremes: &Extremes,
-    readings: &Readings,
-    simulated: f64,
-) -> Vec<Flag> {
+fn flags(case: &SpatialCase, e: &Extremes, readings: &Readings, simulated: f64) -> Vec<Flag> {
     let mut raised = Raised::default();
     // What holds gelatin stops nothing here.
-    let asked = Asked { window: case.window, pulse: None, rim: ORBITS_RIM };
-    of_blow(&asked, &extremes.common, (readings, simulated), &mut raised);
-    let spent = extremes.energy_at_bone;
+    let asked = (case.window, None, ORBITS_RIM);
+    of_blow(asked, &e.common, (readings, simulated), &mut raised);
+    let spent = e.energy_at_bone;
     if spent > BONE_BREAKS {
         let said = format!(
             "the object spent {spent:.0} J at the rim, its own squeezing included; a baseball of \

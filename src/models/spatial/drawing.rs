@@ -30,22 +30,18 @@ pub(crate) fn of(case: &SpatialCase) -> Drawing {
         cells: cells.map(|(of, (corners, _))| DrawnCell { corners: *corners, of }).collect(),
         outlines: outlines(case, &section),
         monitors: section.monitors,
-        loaded: Vec::new(),
-        loaded_until: 0.0,
         reach,
-        along: None,
         object: Some(case.blow.object.outline.drawn(along.normalize())),
         nodes,
         lines,
         rim: rim(case),
+        ..Drawing::default()
     }
 }
 
 /// The edge of the bone from the front.
 fn rim(case: &SpatialCase) -> Vec<Point2<f64>> {
-    let Some(rim) = case.eye.rim.filter(|rim| !rim.is_round()) else {
-        return Vec::new();
-    };
+    let Some(rim) = case.eye.rim.filter(|rim| !rim.is_round()) else { return Vec::new() };
     let azimuths = (0..AROUND).map(|i| TAU * i as f64 / AROUND as f64);
     let point = |azimuth: f64| {
         let (_, r) = rim.at(azimuth, case.eye.parameters.radius);
@@ -83,17 +79,13 @@ fn lines(section: &Section) -> Vec<Line> {
     let sorted = |a: usize, b: usize| (a.min(b), a.max(b));
     let region = |of: usize| section.points[of].region;
     let mut parts: BTreeMap<(usize, usize), Region> = BTreeMap::new();
-    for half in &section.wall {
-        for ends in half.windows(2) {
-            parts.insert(sorted(ends[0], ends[1]), Region::Orbit);
-        }
+    for ends in section.wall.iter().flat_map(|half| half.windows(2)) {
+        parts.insert(sorted(ends[0], ends[1]), Region::Orbit);
     }
-    for half in &section.shell {
-        for ends in half.windows(2) {
-            let both = ends.iter().all(|&of| region(of) == Region::Retina);
-            let part = if both { Region::Retina } else { Region::Shell };
-            parts.insert(sorted(ends[0], ends[1]), part);
-        }
+    for ends in section.shell.iter().flat_map(|half| half.windows(2)) {
+        let both = ends.iter().all(|&of| region(of) == Region::Retina);
+        let part = if both { Region::Retina } else { Region::Shell };
+        parts.insert(sorted(ends[0], ends[1]), part);
     }
     for (corners, _) in &section.cells {
         for i in 0..4 {

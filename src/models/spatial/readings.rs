@@ -15,10 +15,7 @@ const LAST: f64 = 0.02;
 pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<Detail> {
     let up = case.blow.up;
     // Where a place lies, in degrees from the front and around from above to the nose.
-    let place = |(front, azimuth): (f64, f64)| {
-        let around = (azimuth + up).rem_euclid(TAU);
-        (front.to_degrees(), around)
-    };
+    let place = |(front, azimuth): (f64, f64)| (front.to_degrees(), (azimuth + up).rem_euclid(TAU));
     let words = |(front, around): (f64, f64)| {
         format!("{front:.0} deg from the front, towards {}", place_name(around))
     };
@@ -65,13 +62,10 @@ pub(crate) fn details(case: &SpatialCase, e: &Extremes, simulated: f64) -> Vec<D
         Detail::data("energy_at_bone_j", e.energy_at_bone),
         Detail::data("globe_on_bone_n", e.globe_on_bone.value),
     ]);
-    details.extend(taken_by_bone(e));
-    details
-}
-
-/// The share of the impulse that bone took, if it took any.
-fn taken_by_bone(e: &Extremes) -> Option<Detail> {
     let (eye, bone) = (e.impulse_on_eye.norm(), e.impulse_on_bone.norm());
-    let shown = Shown::About("Taken by bone", "% of the impulse".to_owned());
-    (bone > 0.0).then(|| Detail::new("bone_impulse_percent", 1e2 * bone / (eye + bone), shown))
+    if bone > 0.0 {
+        let shown = Shown::About("Taken by bone", "% of the impulse".to_owned());
+        details.push(Detail::new("bone_impulse_percent", 1e2 * bone / (eye + bone), shown));
+    }
+    details
 }

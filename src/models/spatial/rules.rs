@@ -10,35 +10,17 @@
 //! that comes late, in a vitreous that hardly holds it, and is not converged at level 3 either.
 //! Their mesh errors say so.
 
-use crate::models::axisymmetric::time::march::STEP_SHARE;
-use crate::run::flags::FlagKind;
-use crate::run::quantity::{Family, Quantity};
-use crate::run::rules::{Automatic, Element, Estimate, MeshRules, MeshScatter, Refinement, Rules};
-use crate::scenario::{FINEST_SPATIAL_LEVEL, Integrator};
+use crate::models::axisymmetric::rules::OF_CELLS;
+use crate::run::quantity::Quantity;
+use crate::run::rules::{Estimate, MeshRules, MeshScatter, Refinement, Rules};
+use crate::scenario::FINEST_SPATIAL_LEVEL;
 
 /// Integrators, error estimates and mesh rules of the model.
 pub(crate) static RULES: Rules = Rules {
-    name: "Physiological",
-    element: Element::Cell,
     // A cell with its share of shell and nodes takes some 150 ns, a spring a little more than one.
     springs_an_element: 120.0,
-    integrators: &[Integrator::VelocityVerlet, Integrator::SemiImplicitEuler],
-    answer: AUTOMATIC,
-    alone: AUTOMATIC,
-    reference: Integrator::VelocityVerlet,
-    may_lengthen: false,
-    promise_percent: 1.0,
-    step_follows_motion: true,
-    estimate: Estimate {
-        ratio: 1.5,
-        // The lag makes the error fall with the first order.
-        order: |_| 1,
-        // Peaks of contact are less regular than that.
-        safety: 2.0,
-        // Each step is chosen by the state, so results are not smooth to the last digit.
-        floor_percent: 0.1,
-        family: (Family::Motion, 0.1),
-    },
+    // Each step is chosen by the state, so results are not smooth to the last digit.
+    estimate: Estimate { floor_percent: 0.1, ..OF_CELLS.estimate },
     // A run takes a second: what a shorter step would better is far below the mesh error.
     refinement: Refinement { error_percent: 3.0, balance_percent: 0.5, attempts: 2 },
     mesh: MeshRules {
@@ -48,27 +30,15 @@ pub(crate) static RULES: Rules = Rules {
         fineness: |level| f64::from(level) + 1.0,
         scatter,
     },
-    ends_early: "what acted is gone, and nothing grows",
-    advice: |kind| match kind {
-        FlagKind::MeshFolded | FlagKind::NotPredictable => Some("try a smaller blow"),
-        FlagKind::EnergyImbalance => Some("try a rounder edge, a harder surface or a shorter step"),
-        _ => None,
-    },
-    silence: "none",
+    ..OF_CELLS
 };
-
-const AUTOMATIC: Automatic =
-    Automatic { integrator: Integrator::VelocityVerlet, share: STEP_SHARE };
 
 /// Read off nine blows straight on in gelatin at levels 1 and 2 beside the axisymmetric eye, see
 /// the guide.
 fn scatter(of: Quantity) -> MeshScatter {
     match of {
         // Accelerations over 20 us follow each wave, and each mesh has its own.
-        Quantity::ForceCentre
-        | Quantity::ForceFront
-        | Quantity::ForceRight
-        | Quantity::ForceTop => MeshScatter::within(0.35, 0.5),
+        _ if Quantity::FORCES.contains(&of) => MeshScatter::within(0.35, 0.5),
         // The wall's largest stretch wanders between quads.
         Quantity::EquatorStretch => MeshScatter::within(0.07, 0.4),
         Quantity::ScleralStress | Quantity::ShellGrowth | Quantity::MeridianGrowth => {

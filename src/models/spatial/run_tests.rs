@@ -42,8 +42,7 @@ fn aim(angle: f64, from: f64, offset: f64, towards: f64) -> Aim {
 fn hit(eye: &SpatialEye, object: Object, aim: Aim, ms: f64) -> EngineRun {
     let up = if eye.extent == Extent::Half { aim.plane() } else { 0.0 };
     let blow = SpatialBlow { object, aim, up };
-    let keep = Keep::default();
-    run(eye, &blow, ms * 1e-3, STEP_SHARE, keep, &mut unwatched).unwrap()
+    run(eye, &blow, ms * 1e-3, STEP_SHARE, Keep::default(), &mut unwatched).unwrap()
 }
 
 #[test]

@@ -171,10 +171,8 @@ pub(crate) fn build(
     if let Some((wall, opening)) = surround {
         // A cell is kept if all of it lies behind the opening.
         if let Some(first) = (0..rays.len() - 1).find(|&i| rays[i] <= PI - opening) {
-            let on_wall = rays[first..]
-                .iter()
-                .map(|&t| (wall.distance(t) * libm::cos(t), wall.distance(t) * libm::sin(t)));
-            let on_wall: Vec<_> = on_wall.collect();
+            let at = |&t: &f64| (wall.distance(t) * libm::cos(t), wall.distance(t) * libm::sin(t));
+            let on_wall: Vec<_> = rays[first..].iter().map(at).collect();
             let layers = (AROUND_LAYERS * half as f64).round() as usize;
             let shell = mesh.shell[first..].to_vec();
             mesh.wall = mesh.layers(shell, &on_wall, (layers, -spacing.beyond));
@@ -190,8 +188,7 @@ pub(crate) fn graded(layer: usize, of: usize, thinner: f64) -> f64 {
 }
 
 impl Mesh {
-    /// Adds a block of straight rays from the nodes `inner` to the points `outer`, of so many
-    /// [`graded`] layers; returns its last row.
+    /// Adds a block of so many [`graded`] layers from `inner` to `outer`; returns its last row.
     fn layers(
         &mut self,
         inner: Vec<usize>,

@@ -52,14 +52,9 @@ pub struct Cell<const CORNERS: usize> {
     pub subzonal: f64,
 }
 
-impl<const CORNERS: usize> Cell<CORNERS> {
+impl<const N: usize> Cell<N> {
     /// One of the globe, with its share of lens, or of what holds that.
-    pub(crate) fn new(
-        of: &Parameters,
-        corners: [usize; CORNERS],
-        region: Tissue,
-        lens: f64,
-    ) -> Self {
+    pub(crate) fn new(of: &Parameters, corners: [usize; N], region: Tissue, lens: f64) -> Self {
         let around = of.surround.filter(|_| region == Tissue::Surround).map(|s| s.material);
         let lens = if around.is_none() { lens } else { 0.0 };
         let material = around.unwrap_or_else(|| of.lens.material.mixed(of.vitreous, lens));
@@ -156,12 +151,9 @@ static AROUND: LazyLock<[f64; AZIMUTHS]> =
 
 /// Angle from the axis of the eye at `front` rad from the line of the blow, for all azimuths.
 fn own_angles(front: f64, axis: f64) -> impl Iterator<Item = f64> {
-    let (azimuths, along, across) = if axis == 0.0 {
-        (1, 0.0, 0.0)
-    } else {
-        let along = libm::cos(front) * libm::cos(axis);
-        (AZIMUTHS, along, libm::sin(front) * libm::sin(axis))
-    };
+    let azimuths = if axis == 0.0 { 1 } else { AZIMUTHS };
+    let along = libm::cos(front) * libm::cos(axis);
+    let across = libm::sin(front) * libm::sin(axis);
     AROUND[..azimuths].iter().map(move |cosine| {
         if axis == 0.0 { front } else { libm::acos((along + across * cosine).clamp(-1.0, 1.0)) }
     })
@@ -202,9 +194,8 @@ impl AxisymmetricEye {
     /// Finest level.
     pub const FINEST: u32 = 5;
 
-    /// Builds the eye at a level from 1; that of results is at most [`Self::FINEST`]. A coarser
-    /// core than level 1 has, of 4 cells in half a side, was seen to be off by 10 to 20 % in
-    /// pressure and stress.
+    /// Builds the eye at a level from 1, of results at most [`Self::FINEST`]; a coarser core than
+    /// that of level 1 was seen to be off by 10 to 20 % in pressure and stress.
     pub fn new(parameters: &Parameters, level: u32) -> Self {
         Self { level, ..Self::with_core(parameters, 2 * level as usize + 4, Layers::THIN) }
     }

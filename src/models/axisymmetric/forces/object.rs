@@ -36,9 +36,8 @@ const CAPPED_DEPTH: f64 = 0.9;
 const PLATEAU: f64 = 0.6;
 /// Share of a foundation's depth beyond which lies a hard core.
 const CORE_BEYOND: f64 = 0.98;
-/// Contact shortens the step when the surface comes this near, in m, or will be here within this
-/// time, in s, at the speed of arrival: a fast light object would else be deep below the surface
-/// at the first step of contact.
+/// Contact shortens the step when the surface is this near, in m, or will be within this time, in
+/// s: a fast light object would else be deep in at the first step of contact.
 const NEAR: f64 = 2e-5;
 const SOON: f64 = 1e-6;
 /// How far ahead the step looks where a depth is nearly used up, in s, and which share that is.
@@ -59,9 +58,8 @@ pub enum ObjectOutline {
 impl ObjectOutline {
     /// Largest distance from the axis, m.
     pub fn radius(&self) -> f64 {
-        match *self {
-            Self::Sphere(radius) | Self::Cylinder(radius, _) => radius,
-        }
+        let (Self::Sphere(radius) | Self::Cylinder(radius, _)) = *self;
+        radius
     }
 
     /// What a picture shows of it on its way.
@@ -164,9 +162,7 @@ impl ObjectSurface {
     }
 
     pub(crate) fn at(&self, gap: f64) -> PressedSurface {
-        let Some(depth) = self.depth else {
-            return self.within(gap);
-        };
+        let Some(depth) = self.depth else { return self.within(gap) };
         let end = CORE_BEYOND * depth;
         if gap <= end {
             return self.within(gap);
@@ -325,9 +321,7 @@ impl MovingObject {
     /// Sets the forces to those of the spring.
     pub fn inner(&mut self) {
         (self.force, self.lossy) = ([0.0; 2], [0.0; 2]);
-        let Some((law, kept)) = self.core.spring else {
-            return;
-        };
+        let Some((law, kept)) = self.core.spring else { return };
         let squeezed = law.at(self.squeezed());
         let closing = self.v[1] - self.v[0];
         // Drawn out it loses as when squeezed, on its way back.

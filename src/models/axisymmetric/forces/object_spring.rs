@@ -142,7 +142,7 @@ mod tests {
     const SPRING: ObjectSpring = ObjectSpring { stiffness: 2e4, linear: 0.02, room: 0.016 };
 
     #[test]
-    fn the_force_is_the_slope_of_the_energy_and_its_slope_the_slope_of_the_force() {
+    fn the_force_is_the_slope_of_an_energy_that_never_presses_it_flat() {
         for compression in [-0.01, 0.01, 0.0199, 0.021, 0.03, 0.0355] {
             let h = 1e-8;
             let (before, after) = (SPRING.at(compression - h), SPRING.at(compression + h));
@@ -152,10 +152,7 @@ mod tests {
             assert!((force / here.force - 1.0).abs() < 1e-5, "{compression}");
             assert!((slope / here.slope - 1.0).abs() < 1e-5, "{compression}");
         }
-    }
-
-    #[test]
-    fn no_energy_presses_it_flat() {
+        // No energy presses it flat.
         assert_eq!(SPRING.at(0.0361).energy, f64::INFINITY);
     }
 }

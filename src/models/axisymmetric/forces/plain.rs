@@ -16,8 +16,7 @@ pub(crate) struct PlainCells {
 
 impl PlainCells {
     pub fn new(eye: &AxisymmetricEye) -> Self {
-        let cells: Vec<_> =
-            eye.cells.iter().map(|cell| (Rest::new(eye, cell), cell.corners)).collect();
+        let cells: Vec<_> = eye.cells.iter().map(|of| (Rest::new(eye, of), of.corners)).collect();
         Self {
             weights: sensor::weights(eye),
             pressures: vec![0.0; cells.len()],

@@ -127,18 +127,12 @@ impl Account {
         share
     }
 
-    /// Extremes by an object, from its energy and that of its contact with eye and bone, J.
-    pub fn read_object(
-        &mut self,
-        energy: f64,
-        (on_eye, on_bone): (f64, f64),
-        intrusion: f64,
-        time: f64,
-    ) {
+    /// Extremes by an object: its energy, that of its contact with eye and bone, J, its way in, m.
+    pub fn read_object(&mut self, energy: f64, (on_eye, on_bone): (f64, f64), way: f64, time: f64) {
         let kept = energy + self.energy.lost_in_object;
         let given = self.energy_before - kept - on_eye - on_bone;
         self.extremes.energy_given.offer(given, time);
-        self.extremes.intrusion.offer(intrusion, time);
+        self.extremes.intrusion.offer(way, time);
     }
 
     pub fn read_shape(&mut self, shape: &Shape, time: f64) {
@@ -170,8 +164,7 @@ impl Account {
         self.energy_before - e.object - e.lost_in_object - e.contact
     }
 
-    /// Takes what the eye was given, J, of which an eye that nothing holds flies off with some: no
-    /// part of it feels that.
+    /// Takes what the eye was given, J; how it flies off as a whole no part of it feels.
     pub fn impart(&mut self, given: f64, flown: f64) {
         self.work = given;
         self.extremes.energy_imparted = given - flown;
@@ -229,13 +222,11 @@ impl Account {
             return false;
         }
         // An eye that was let go swings back: its growth may begin only now.
-        let since = if over {
-            *self.over_since.get_or_insert(time)
-        } else {
+        if !over {
             self.over_since = None;
-            time
-        };
-        over && last_growth.max(since) < time - self.swing
+            return false;
+        }
+        last_growth.max(*self.over_since.get_or_insert(time)) < time - self.swing
     }
 
     /// Completes the extremes at the end, where an object leaves at `rebound` m/s.

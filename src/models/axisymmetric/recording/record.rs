@@ -97,9 +97,7 @@ impl Recorded for Motion<'_> {
     }
 
     fn frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
-        let Some(mut due) = self.frames_due.take() else {
-            return Vec::new();
-        };
+        let Some(mut due) = self.frames_due.take() else { return Vec::new() };
         let frame = |due, before: &[_]| self.frame(due, time, before);
         let frames = due.take((time, step), || self.velocities(), frame);
         self.frames_due = Some(due);

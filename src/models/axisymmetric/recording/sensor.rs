@@ -102,8 +102,7 @@ impl RunningMean {
             self.past.pop_front();
         }
         let ((t0, first), (t1, second)) = (self.past[0], self.past[1]);
-        // Before the first step there was nothing; a later entry may lie at the start to the last
-        // bit.
+        // Nothing was before the first step; a later entry may lie at the start to the last bit.
         let gone =
             if start <= t0 { first } else { first + (second - first) * (start - t0) / (t1 - t0) };
         self.now = (self.integral - gone) / self.over;
@@ -150,9 +149,8 @@ pub fn monitored(eye: &AxisymmetricEye) -> [usize; 4] {
     places(eye, |node| node).map(nearest)
 }
 
-/// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre; on the shell
-/// 5 degrees above the front pole, 5 degrees above the back pole, and 5 degrees behind the top.
-/// Between nodes, the velocity is linear.
+/// The places of the planar eye: in the vitreous 1.333 mm up and back of the centre, on the shell 5
+/// degrees above both poles and 5 behind the top. Between nodes, velocity is linear.
 fn places(eye: &AxisymmetricEye, place: impl Fn(usize) -> usize) -> [Vec<(usize, f64)>; 4] {
     let on_shell = |angle: f64| on_shell(eye, angle.to_radians(), &place);
     let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
@@ -181,10 +179,10 @@ impl Accelerometers {
     /// Mean accelerations over the last 20 us up to `time` s of the velocities, m/s2.
     pub fn read(&mut self, state: &NodeState, time: f64) -> [f64; 4] {
         let now = std::array::from_fn(|i| {
-            let velocity = self.places[i].iter().fold((0.0, 0.0), |v, &(place, share)| {
-                (v.0 + share * state.vx[place], v.1 + share * state.vr[place])
-            });
-            Vector2::new(velocity.0, velocity.1)
+            let velocity = |&(place, share): &(usize, f64)| {
+                Vector2::new(state.vx[place], state.vr[place]) * share
+            };
+            self.places[i].iter().map(velocity).sum()
         });
         let change = self.velocities.change(now, time);
         change.map(|change| libm::hypot(change.x, change.y) / SMOOTHING_S)

@@ -190,10 +190,7 @@ mod tests {
                 assert!((pull / (0.05 * held) - 1.0).abs() < 0.02, "{level}: {grown:?}");
             }
         }
-    }
-
-    #[test]
-    fn shrinking_is_no_stretch() {
+        // Shrinking is no stretch.
         assert_eq!(read(1, |x, r| (0.9 * x, 0.9 * r)), [0.0; 5]);
     }
 }

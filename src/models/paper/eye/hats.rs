@@ -15,11 +15,7 @@ pub type Hat = Vec<(usize, f64)>;
 
 /// The weighted sum of something of each node.
 pub(crate) fn sum(nodes: &[(usize, f64)], of: impl Fn(usize) -> Vector2<f64>) -> Vector2<f64> {
-    let mut sum = Vector2::zeros();
-    for &(node, weight) in nodes {
-        sum += of(node) * weight;
-    }
-    sum
+    nodes.iter().map(|&(node, weight)| of(node) * weight).sum()
 }
 
 /// Weight of a node of level k so many places away from the middle of a hat.
@@ -27,8 +23,7 @@ fn weight(away: isize, k: isize) -> f64 {
     1.0 - away.abs() as f64 / k as f64
 }
 
-/// The hat of the node at column and row `grid` of level 1, over all nodes that move: weights for
-/// a sum of forces.
+/// The hat of the node at `grid` of level 1, of all nodes that move: weights for a sum of forces.
 pub(crate) fn of_force(mesh: &SectionMesh, k: isize, grid: (usize, usize)) -> Hat {
     let middle = (grid.0.cast_signed() * k, grid.1.cast_signed() * k);
     let reach = 1 - k..k;

@@ -34,8 +34,7 @@ pub(crate) fn area_within(corners: [Point2<f64>; 3]) -> f64 {
     (0.5 * swept * HALF_THICKNESS_M * HALF_HEIGHT_M).abs()
 }
 
-/// Twice the signed area of the part of the unit circle between the centre and the line from `a`
-/// to `b`.
+/// Twice the signed area of the unit circle between its centre and the line from `a` to `b`.
 fn swept_by(a: Vector2<f64>, b: Vector2<f64>) -> f64 {
     let along = b - a;
     let sector = |p: Vector2<f64>, q: Vector2<f64>| libm::atan2(p.perp(&q), p.dot(&q));
@@ -82,10 +81,7 @@ mod tests {
         ] {
             assert!((share(corners) - area).abs() < 1e-13, "{corners:?}");
         }
-    }
-
-    #[test]
-    fn parts_of_a_triangle_add_up_to_it() {
+        // Parts of a triangle add up to it.
         let [a, b, c] = [at(-0.3, 0.2), at(1.7, 0.4), at(0.2, 1.3)];
         let middle = at(0.8, 0.7);
         let parts = share([a, b, middle]) + share([b, c, middle]) + share([c, a, middle]);

@@ -105,11 +105,8 @@ pub(crate) fn build(input: &EyeInput) -> SectionMesh {
                 }
                 if ring < 7.5 * k { Region::Fat } else { Region::Orbit }
             } else if ring == SHELL_RING * k {
-                if PI - front_angle(position).abs() <= retina {
-                    Region::Retina
-                } else {
-                    Region::Shell
-                }
+                let behind = PI - front_angle(position).abs() <= retina;
+                if behind { Region::Retina } else { Region::Shell }
             } else if lens::holds(position) {
                 Region::Lens
             } else {

@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn level_one_has_the_papers_counts() {
+    fn level_one_has_the_papers_counts_and_filaments_as_stiff_as_the_shell_for_their_length() {
         let eye = level(1);
         assert_eq!(eye.nodes.len(), 220);
         assert_eq!(eye.nodes.iter().filter(|node| !node.fixed()).count(), 174);
@@ -91,11 +91,7 @@ mod tests {
         assert_eq!(eye.springs.iter().filter(works).count(), 838);
         assert_eq!(eye.nodes.iter().filter(|n| n.region.in_globe()).count(), 100);
         assert_eq!(eye.landmarks.shell.len(), 36);
-    }
-
-    #[test]
-    fn filament_stiffness_times_length_is_the_shells() {
-        for spring in level(1).springs.iter().filter(|s| s.kind == SpringKind::Filament) {
+        for spring in eye.springs.iter().filter(|s| s.kind == SpringKind::Filament) {
             let value = spring.stiffness * spring.rest_length;
             assert!((value - 1.1505e4).abs() < 0.5, "{value}");
         }

@@ -54,8 +54,7 @@ pub(crate) fn build(input: &EyeInput, mesh: &SectionMesh, shell: &[usize]) -> Ve
         Lens::Soft => (false, false),
     };
 
-    // Of the triangles of each spring: their summed area, and what of it lies in the lens, or 0 if
-    // the lens is not taken by area; in m2.
+    // Of the triangles of each spring: their area, and what of it lies in a lens by area; in m2.
     let mut areas: BTreeMap<(usize, usize), (f64, f64)> = BTreeMap::new();
     for quad in &mesh.quads {
         for p in 0..4 {

@@ -209,17 +209,11 @@ pub(crate) fn kick_drift(system: &System, state: &mut State, force: f64, stage: 
 }
 
 /// Explicit drag, kick by the stored acceleration, and drift; returns the energy lost, in J.
-pub(crate) fn start(
-    system: &System,
-    state: &mut State,
-    keep_before: [f64; 2],
-    stage: Stage,
-) -> f64 {
-    on_vectors!(system, start_as(system, state, keep_before, stage))
+pub(crate) fn start(system: &System, state: &mut State, keep: [f64; 2], stage: Stage) -> f64 {
+    on_vectors!(system, start_as(system, state, keep, stage))
 }
 
-/// Force evaluation at the state's positions into its acceleration, then v += kick a, with a
-/// survey of the whole mesh.
+/// Evaluates the acceleration at the positions, then v += kick a; surveys the whole mesh.
 pub(crate) fn evaluate(system: &System, state: &mut State, force: f64, kick: f64) -> Survey {
     on_vectors!(system, evaluate_as(system, state, force, kick))
 }

@@ -159,9 +159,8 @@ pub(crate) fn inverse_root<S: Simd, const QUICK: bool>(simd: S, square: V<S>) ->
     }
 }
 
-/// How many of the four springs of a node take their roots from seeds in the quick form. Of AVX2
-/// the series takes the multipliers as long as square root and division take the divider, so that
-/// half by each keeps both busy.
+/// How many of the four springs of a node take their roots from seeds in the quick form: with AVX2
+/// half, which keeps both multipliers and divider busy.
 #[inline(always)]
 pub(crate) fn by_seeds<S: Simd>(simd: S) -> usize {
     match seed(simd, splat(simd, 1.0)) {

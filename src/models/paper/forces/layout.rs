@@ -4,9 +4,8 @@
 
 /// Nodes that the kernel handles at once.
 pub const LANES: usize = 8;
-/// Places by which the rows start late. At level 1 most rows then fill whole vectors of four.
-/// Where no padding is left, the last place of a row is the first of the next, which is never
-/// used.
+/// Places by which the rows start late: at level 1 most rows then fill whole vectors of four.
+/// Without padding the last place of a row is the first of the next, which is never used.
 pub(crate) const SHIFT: usize = 1;
 /// Grid directions a node owns springs in.
 pub(crate) const DIRECTIONS: usize = 4;

@@ -70,11 +70,8 @@ mod tests {
             let phi = eye.nodes[node].front_angle().to_degrees();
             assert!(phi > 5.0 - 1e-9 && phi < 45.0);
         }
-    }
-
-    #[test]
-    fn a_twenty_degree_arc_loads_four_nodes_equally() {
-        let load = ArcLoad::new(&ForcePulse::default(), &Eye::build(&EyeInput::default()));
+        // One of twenty degrees loads four nodes equally.
+        let load = ArcLoad::new(&ForcePulse::default(), &eye);
         assert_eq!(load.shares.len(), 4);
         assert!(load.shares.iter().all(|(_, share)| (share - 0.25).abs() < 1e-12));
     }

@@ -6,8 +6,7 @@
 use crate::models::paper::eye::{Eye, springs::Spring, springs::SpringKind};
 use crate::models::paper::forces::layout::{LANES, Lane, MovedRows};
 
-/// Eight filaments of one hop count whose first ends lie side by side; what fills it up has
-/// stiffness 0.
+/// Eight filaments of one hop count with first ends side by side; filled up with stiffness 0.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(crate) struct Strip {
@@ -46,11 +45,6 @@ impl Ring {
     pub fn padded_len(&self) -> usize {
         (self.gather.len() + self.ghosts).next_multiple_of(LANES) + 2 * LANES
     }
-
-    /// Length of the runs of all hop counts.
-    pub fn hops_len(&self) -> usize {
-        self.padded_len() * self.hops.len()
-    }
 }
 
 /// The filaments of `eye` for the moved rows.
@@ -88,14 +82,12 @@ pub(crate) fn compile(eye: &Eye, rows: &MovedRows) -> Ring {
             let mut strip = Strip { first: start, hop, into: n * run + start, ..Strip::default() };
             for (lane, g) in (start..end.min(start + LANES)).enumerate() {
                 let spring = round[at(g)];
-                // In the whole ring the ghosts repeat springs that the other end owns, at weight
-                // 1/2.
+                // In the whole ring ghosts repeat springs that the other end owns: weight 1/2.
                 let share = 0.5 * (weight(g) + weight(g + hop));
                 let (k, l) = (spring.stiffness, spring.rest_length);
                 strip.stiffness[lane] = k;
                 strip.tension[lane] = k * l;
-                // Filaments may be switched off by a factor of 0; then they have neither energy
-                // nor strain.
+                // Filaments switched off by a factor of 0 have neither energy nor strain.
                 if k > 0.0 {
                     strip.half_compliance[lane] = 0.5 * share / k;
                     strip.inverse_tension[lane] = 1.0 / (k * l);

@@ -45,7 +45,7 @@ impl State {
                 up: zeros(),
                 extra: zeros(),
                 ring: Pairs::zeros(system.ring.padded_len()),
-                hops: Pairs::zeros(system.ring.hops_len()),
+                hops: Pairs::zeros(system.ring.padded_len() * system.ring.hops.len()),
             },
             ..Self::default()
         }

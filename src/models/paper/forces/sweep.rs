@@ -17,8 +17,7 @@ use crate::models::paper::forces::layout::{DIRECTIONS, LANES, SpringGroup, Surve
 use crate::models::paper::forces::{state::State, system::System};
 use fearless_simd::{Simd, SimdBase};
 
-/// What an update may read and write of some neighbouring nodes: of each run as many values as a
-/// vector holds.
+/// What an update may read and write of neighbouring nodes: of each run a vector of values.
 pub(crate) struct Nodes<'a, S: Simd> {
     pub simd: S,
     /// Place of the first node in its group.
@@ -96,9 +95,7 @@ pub(crate) fn sweep<S: Simd, const QUICK: bool, const SURVEY: bool>(
     let (ax, ay) = (&mut acceleration.x[..len], &mut acceleration.y[..len]);
     let (extra_x, extra_y) = (&scratch.extra.x[..len], &scratch.extra.y[..len]);
     let (up_x, up_y) = (&mut scratch.up.x[..len], &mut scratch.up.y[..len]);
-    let [first, others @ ..] = system.active.as_slice() else {
-        return;
-    };
+    let [first, others @ ..] = system.active.as_slice() else { return };
     let last = *others.last().unwrap_or(first) as usize;
     let groups = &system.groups[..=last / LANES];
     let reach = stride + 1 + width;

@@ -56,8 +56,7 @@ pub struct System {
 }
 
 impl System {
-    /// Compiles `eye` under `load`. The half is compiled if the load is symmetric, unless
-    /// `whole` asks for all.
+    /// Compiles `eye` under `load`; of a symmetric load the half, unless `whole` asks for all.
     pub fn new(eye: &Eye, pulse: Pulse, load: &ArcLoad, whole: bool, portable: bool) -> Self {
         let mirrored = !whole && load.direction.y == 0.0 && load.arc.0 == -load.arc.1;
         let side = eye.side;

@@ -31,8 +31,7 @@ impl Interval<'_> {
         self.before.time + share * self.length()
     }
 
-    /// The path of the sum of some nodes, each times its weight: of their mean, if the weights add
-    /// up to 1.
+    /// The path of the weighted sum of some nodes: of their mean, if the weights add up to 1.
     pub fn path(self, nodes: &[(usize, f64)]) -> Path {
         let (system, h) = (self.system, self.length());
         let [[p0, v0, a0], [p1, v1, a1]] = [self.before, self.after].map(|state| {
@@ -101,9 +100,8 @@ const GAIN_LEFT: f64 = 1e-7;
 /// Most intervals of a scan.
 const MAX_POINTS: usize = 24;
 
-/// Largest value of `f` over shares 0 to 1 of a step, and the share: a scan of `points` intervals,
-/// at most [`MAX_POINTS`], then parabolas through the best three points, unless these stay at or
-/// below `floor`.
+/// Largest value of `f` over shares 0 to 1 of a step, and the share: of at most [`MAX_POINTS`]
+/// intervals, then of parabolas through the best three points, unless at or below `floor`.
 pub(crate) fn maximum(points: usize, floor: f64, mut f: impl FnMut(f64) -> f64) -> (f64, f64) {
     let points = points.min(MAX_POINTS);
     let spacing = 1.0 / points as f64;
@@ -173,8 +171,7 @@ pub(crate) struct NodeForce {
 }
 
 impl NodeForce {
-    /// Everything that acts on `hat`, around node `middle` of `eye`; `load` is its share of the
-    /// load's unit force.
+    /// What acts on `hat` around node `middle`; `load` is its share of the unit force of the load.
     pub fn new(eye: &Eye, middle: usize, hat: &[(usize, f64)], load: Vector2<f64>) -> Self {
         let mass = eye.nodes[middle].mass;
         let mut drags: Vec<(f64, Vec<(usize, f64)>)> = Vec::new();
@@ -272,17 +269,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_maximum_of_a_smooth_curve_is_found_between_samples() {
+    fn a_maximum_is_found_between_samples_and_of_a_monotonic_curve_at_an_end() {
         for top in [0.03, 0.13, 0.5, 0.81, 0.98] {
             let (value, share) =
                 maximum(8, 0.0, |s| 2.0 - (s - top) * (s - top) + 0.3 * (s - top).powi(3));
             assert!((share - top).abs() < 1e-4, "{share}");
             assert!((value - 2.0).abs() < 1e-8);
         }
-    }
-
-    #[test]
-    fn a_monotonic_curve_has_its_maximum_at_an_end() {
         assert_eq!(maximum(8, 0.0, |s| s), (1.0, 1.0));
         assert_eq!(maximum(8, 0.0, |s| -s), (0.0, 0.0));
     }

@@ -67,14 +67,10 @@ impl FrameTaker {
         let (probe, nodes) = (&self.probe, 0..self.masses.len());
         let force = |n| self.masses[n] * probe.acceleration(system, system.place(n)).norm();
         self.frames.push(Frame {
-            front: None,
             time,
             positions: nodes.clone().map(|n| probe.position(system.place(n))).collect(),
             forces: nodes.map(force).collect(),
-            cells: Vec::new(),
-            projectile: None,
-            squeezed: 0.0,
-            pressure: None,
+            ..Frame::default()
         });
         self.taken += 1;
     }

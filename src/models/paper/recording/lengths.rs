@@ -62,9 +62,7 @@ fn measured<P: Copy>(
     if kind == LengthKind::MeanX {
         return points.map(x).sum::<f64>() / count as f64;
     }
-    let Some(first) = points.next() else {
-        return 0.0;
-    };
+    let Some(first) = points.next() else { return 0.0 };
     let (mut before, mut sum) = (first, 0.0);
     for point in points {
         sum += between(before, point);

@@ -65,8 +65,7 @@ impl Quad {
 
 /// What rounding does to a position some 10 mm away from the middle, in m.
 const ROUNDING_M: f64 = 2e-18;
-/// A blow that gives less than so many times the energy of springs strained by that is rounding
-/// itself.
+/// A blow is rounding itself below so many times the energy of springs strained by that.
 const LOST: f64 = 1e4;
 
 /// Watches a run and records it.
@@ -97,8 +96,7 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    /// A recorder for `eye` under `load`, compiled as `system`, about to take `steps` steps over
-    /// `window` seconds.
+    /// A recorder for an eye about to take `steps` steps over `window` seconds.
     pub fn new(
         eye: &Eye,
         load: &ArcLoad,
@@ -166,13 +164,9 @@ impl Recorder {
         self.frames.iter_mut().flat_map(|taker| taker.frames.drain(..))
     }
 
-    /// Whether the kernel's length of the shell is the one to follow: every node is a corner of it.
-    fn surveyed_shell(&self) -> bool {
-        matches!(self.bounds.shell, ShellBound::Stretch(_))
-    }
-
     fn step(&mut self, system: &System, now: &Moment) {
-        let surveyed = self.surveyed_shell();
+        // Where every node is a corner of the shell, its length is the kernel's.
+        let surveyed = matches!(self.bounds.shell, ShellBound::Stretch(_));
         let step = Interval { system, before: &self.before, after: now.state };
         self.steps += 1;
         self.shell.step(step, surveyed.then_some(now.survey.shell_length));
@@ -246,8 +240,7 @@ impl Recorder {
         }
     }
 
-    /// Whether the energy that is left can raise no force, nor the growth of the shell in the
-    /// `left` seconds to come.
+    /// Whether the energy left can raise no force, nor the shell's growth, in the `left` s to come.
     fn forces_are_final(&self, left: f64) -> bool {
         let most = match self.bounds.shell {
             ShellBound::Stretch(bound) => bound.reach(self.energy),
@@ -260,8 +253,7 @@ impl Recorder {
             && most <= self.shell.peak.value
     }
 
-    /// Whether nothing that is recorded can change before the end of the window. Traces and frames
-    /// change to the very end.
+    /// Whether nothing recorded can change any more; traces and frames change to the very end.
     pub fn settled(&self) -> bool {
         if self.loaded || self.rows.is_some() || self.frames.is_some() {
             return false;

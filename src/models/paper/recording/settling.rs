@@ -47,8 +47,7 @@ impl Bound {
 pub(crate) enum ShellBound {
     /// Bound of its growth over its length at rest, where every node is a corner.
     Stretch(Bound),
-    /// Bounds of its growth from now on, where its corners are hats: of the sum of the ways of
-    /// all corners, and of the way of any one.
+    /// From now on, where its corners are hats: of the sum of all their ways, and of any one way.
     Change(Bound, Bound),
 }
 
@@ -129,11 +128,9 @@ fn travel<'a>(eye: &Eye, hats: impl Iterator<Item = &'a (usize, f64)>, weight: f
 fn shell(eye: &Eye) -> ShellBound {
     let hats = &eye.landmarks.shell_hats;
     if hats.len() < eye.landmarks.shell.len() {
-        let one = hats.iter().map(|hat| travel(eye, hat.iter(), 1.0).0);
-        return ShellBound::Change(
-            travel(eye, hats.iter().flatten(), 1.0),
-            Bound(one.fold(0.0, f64::max)),
-        );
+        let each = hats.iter().map(|hat| travel(eye, hat.iter(), 1.0).0);
+        let one = Bound(each.fold(0.0, f64::max));
+        return ShellBound::Change(travel(eye, hats.iter().flatten(), 1.0), one);
     }
     let along = along(&eye.landmarks.shell);
     let sclera = eye.springs.iter().filter(|s| s.kind == SpringKind::Sclera);

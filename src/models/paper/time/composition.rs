@@ -13,8 +13,7 @@ use crate::models::paper::forces::{state::State, system::System};
 use crate::models::paper::time::stepper::{Drag, EqualSteps, Stepper};
 use crate::run::plan::Cost;
 
-/// A composition of kicks and drifts, in shares of the step, and what it is for steps of the
-/// present length.
+/// Kicks and drifts in shares of the step, and what they are for the present length of it.
 pub(crate) struct Composition<'a> {
     pub system: &'a System,
     pub kicks: &'static [f64],

@@ -10,8 +10,7 @@ use crate::run::plan::{Cost, Plan};
 use crate::run::refusal::Refusal;
 use std::ops::ControlFlow;
 
-/// Steps that a segment is given at least, under load and after it, so that a short pulse and its
-/// wake are resolved.
+/// Least steps of a segment under load and after it, to resolve a short pulse and its wake.
 const LEAST_STEPS: (f64, f64) = (4.0, 2.0);
 
 /// What is seen of a run at the start of a segment and at the end of each step.

@@ -48,8 +48,7 @@ pub struct Method {
     pub order: i32,
     /// Largest stable angular frequency times step with a little drag; a test scans it.
     pub stability_limit: f64,
-    /// Angular frequency times step where an undamped oscillator first grows, where that is a gap
-    /// below the limit.
+    /// Where an undamped oscillator first grows, if that is a gap below the limit.
     pub first_gap: Option<f64>,
     /// How drag is treated.
     pub drag: Drag,
@@ -96,8 +95,7 @@ impl Method {
             Some(gap) if open => gap / omega,
             _ => by_stiffness,
         };
-        // Verlet's sub-steps are positive and never amplify, but a speed must not vanish within
-        // one.
+        // Verlet's sub-steps never amplify, but a speed must not vanish within one.
         stable.min(MAX_DRAG / most.max(f64::MIN_POSITIVE))
     }
 

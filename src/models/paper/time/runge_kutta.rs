@@ -45,8 +45,7 @@ const GROWTH: (f64, f64) = (0.2, 5.0);
 const CAUTION: f64 = 0.9;
 /// A step this small a share of the segment is taken whatever its error, so that time advances.
 const SMALLEST_SHARE: f64 = 1e-9;
-/// Errors are shares of no less than this: of an eye at rest only rounding is left, which no step
-/// makes small.
+/// Errors are shares of no less than this: an eye at rest has only rounding left.
 const LEAST_ENERGY_J: f64 = 1e-14;
 
 /// Adds `weight` times `of` to `to`.
@@ -172,8 +171,7 @@ impl<'a> RungeKutta<'a> {
         survey
     }
 
-    /// Tries one step of `h`; leaves the result in `state` but for its time, which is that of the
-    /// start still.
+    /// Tries one step of `h`; leaves the result in `state`, but for its time.
     fn attempt(&mut self, state: &mut State, piece: Piece, h: f64, cost: &mut Cost) -> Survey {
         let last = self.tableau.evaluations();
         cost.evaluations += last;

@@ -21,8 +21,7 @@ pub(crate) trait Stepper {
     /// Gets ready for a segment, at whose start `state` is and has been evaluated.
     fn begin(&mut self, state: &State, steps: &EqualSteps);
 
-    /// Moves `state`, whose acceleration is up to date, by one step; the last of a segment ends
-    /// exactly where the segment does.
+    /// Moves `state`, evaluated before, by one step; the last ends exactly where the segment does.
     fn step(&mut self, state: &mut State, steps: &mut EqualSteps, cost: &mut Cost) -> Survey;
 }
 
@@ -42,8 +41,7 @@ impl EqualSteps {
         Self { segment, length, total, taken: 0 }
     }
 
-    /// The time after one more step, in s: computed, not summed, so that rounding does not pile up
-    /// over many steps.
+    /// The time after one more step, in s: computed, not summed, so that rounding never piles up.
     pub fn advance(&mut self) -> f64 {
         self.taken += 1;
         if self.taken == self.total {

@@ -104,10 +104,7 @@ impl Builder {
     }
 
     fn nearest_w(&self) -> i64 {
-        match self.extent {
-            Extent::Half => 0,
-            Extent::Full => -self.half,
-        }
+        if self.extent == Extent::Half { 0 } else { -self.half }
     }
 
     /// The border of a square of (v, w), from below over the nose's side up and around, so that
@@ -172,8 +169,7 @@ impl Builder {
     fn layer(&mut self, before: usize, place: Place, at: impl Fn(&Self, Place3) -> Vector3<f64>) {
         let (m, after) = (self.half, before + 1);
         for of in self.surface() {
-            let at = at(self, of);
-            self.put(after, of, at);
+            self.put(after, of, at(self, of));
         }
         let mut cells = Vec::new();
         for ends in self.ring().windows(2) {
@@ -218,9 +214,7 @@ pub(crate) fn build(half: usize, extent: Extent, radius: f64, cavity: Option<Cav
         .iter()
         .map(|(corners, _)| [corners[4], corners[5], corners[7], corners[6]])
         .collect();
-    let Some(cavity) = cavity else {
-        return builder.mesh;
-    };
+    let Some(cavity) = cavity else { return builder.mesh };
     let around = (AROUND_LAYERS * half as f64).round() as usize;
     for layer in 0..around {
         let share = graded(layer + 1, around, -BEYOND);

@@ -118,8 +118,7 @@ pub(crate) fn seen_from_the_middle(at: Vector3<f64>) -> (f64, f64) {
     (libm::atan2(across, -at.x), libm::atan2(at.z, at.y))
 }
 
-/// What the mesh around the globe must know of its wall: one that is the same all around, or an
-/// orbit with a rim that was measured.
+/// What holds the globe: a wall alike all around, or an orbit with a rim that was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cavity {
     pub wall: Wall,
@@ -156,18 +155,13 @@ impl Cavity {
     /// opening of what is free there.
     pub fn distance(&self, direction: Vector3<f64>) -> f64 {
         let (front, azimuth) = seen_from_the_middle(direction);
-        let Some(rim) = self.rim else {
-            return self.wall.distance(PI - front.max(self.opening));
-        };
+        let Some(rim) = self.rim else { return self.wall.distance(PI - front.max(self.opening)) };
         let rim = rim.at(azimuth, self.radius);
         let edge = libm::hypot(rim.0, rim.1);
         if front <= front_angle(rim) {
             return edge;
         }
-        let farthest = match self.wall {
-            Wall::Cone { farthest, .. } => farthest,
-            Wall::Sphere(radius) => radius,
-        };
+        let (Wall::Cone { farthest, .. } | Wall::Sphere(farthest)) = self.wall;
         let (along, across) = (-libm::cos(front), libm::sin(front));
         let within = |at: f64| at * across < self.wall_at(at * along, rim);
         let beyond = farthest.max(edge);

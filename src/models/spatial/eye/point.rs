@@ -27,10 +27,8 @@ pub(crate) struct Point {
 impl Point {
     /// What it has of a vector of each node.
     pub fn of(&self, nodes: &Nodes) -> Vector3<f64> {
-        let mut sum = Vector3::zeros();
-        for &(node, share) in &self.shares {
-            sum += vector(nodes, node) * share;
-        }
+        let each = self.shares.iter().map(|&(node, share)| vector(nodes, node) * share);
+        let mut sum: Vector3<f64> = each.sum();
         if self.mirrored {
             sum.z = -sum.z;
         }

@@ -31,6 +31,11 @@ pub(crate) fn towards(azimuth: f64) -> Vector {
     Vector::new(0.0, libm::cos(azimuth), libm::sin(azimuth))
 }
 
+/// The direction at a front angle in rad, towards a side.
+pub(crate) fn direction(front: f64, out: Vector) -> Vector {
+    out * libm::sin(front) - Vector::x() * libm::cos(front)
+}
+
 impl Aim {
     /// The way of the blow.
     pub fn way(&self) -> Vector3<f64> {
@@ -107,9 +112,7 @@ impl MovingObject {
     /// Sets the forces to those of the spring.
     pub fn inner(&mut self) {
         (self.force, self.lossy) = ([Vector::zeros(); 2], [Vector::zeros(); 2]);
-        let Some((law, kept)) = self.core.spring else {
-            return;
-        };
+        let Some((law, kept)) = self.core.spring else { return };
         let apart = self.at[1] - self.at[0];
         let squeeze = apart.norm();
         let along = if squeeze > 0.0 { apart / squeeze } else { self.way };

@@ -62,12 +62,6 @@ pub(crate) struct Push {
     pub used_up: f64,
 }
 
-impl Push {
-    fn none() -> Self {
-        Self { limit: f64::INFINITY, ..Self::default() }
-    }
-}
-
 impl Rim {
     pub fn new(eye: &SpatialEye) -> Option<Self> {
         Some(Self { spheres: eye.rim?.spheres(eye.parameters.radius) })
@@ -100,7 +94,7 @@ impl Rim {
     }
 
     fn stop(&self, object: &Object, projectile: &mut MovingObject) -> Push {
-        let mut push = Push::none();
+        let mut push = Push { limit: f64::INFINITY, ..Push::default() };
         let kept = if object.spring.is_some() { 0.0 } else { 1.0 };
         let (mut slope, mut damping) = (0.0, 0.0);
         for sphere in &self.spheres {
@@ -131,7 +125,7 @@ impl Rim {
     }
 
     fn flatten(&self, object: &Object, projectile: &mut MovingObject) -> Push {
-        let mut push = Push::none();
+        let mut push = Push { limit: f64::INFINITY, ..Push::default() };
         let (mut sum, mut way, mut near) = (0.0, Vector3::zeros(), false);
         for sphere in &self.spheres {
             let (gap, normal) = Self::depth(object, projectile, sphere);

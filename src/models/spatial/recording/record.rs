@@ -123,9 +123,7 @@ impl Recorded for Motion<'_> {
     }
 
     fn frames(&mut self, time: f64, step: f64) -> Vec<Frame> {
-        let Some((section, mut due)) = self.frames_due.take() else {
-            return Vec::new();
-        };
+        let Some((section, mut due)) = self.frames_due.take() else { return Vec::new() };
         let frame = |due, before: &[_]| self.frame(&section, due, time - due, before);
         let frames = due.take((time, step), || self.velocities(&section), frame);
         self.frames_due = Some((section, due));

@@ -8,7 +8,8 @@
 use crate::models::axisymmetric::eye::mesh::{self as plane_mesh, Layers};
 use crate::models::spatial::eye::orbit::Cavity;
 use crate::models::spatial::eye::point::{Nodes, Point};
-use crate::models::spatial::{eye::SpatialEye, eye::mesh::Place, forces::object::towards};
+use crate::models::spatial::forces::object::{direction, towards};
+use crate::models::spatial::{eye::SpatialEye, eye::mesh::Place};
 use crate::models::spatial::{recording::sensor::monitored, time::run::SpatialBlow};
 use crate::run::places::Region;
 use crate::scenario::direction::upper;
@@ -25,11 +26,6 @@ const INSIDE: f64 = 0.985;
 
 /// Points of a ring around the axis.
 const AROUND: usize = 48;
-
-/// The direction at a front angle in rad, towards a side.
-fn direction(front: f64, out: Vector3<f64>) -> Vector3<f64> {
-    out * libm::sin(front) - Vector3::x() * libm::cos(front)
-}
 
 /// A point that is shown.
 #[derive(Debug, Clone)]
@@ -75,11 +71,8 @@ impl Section {
             monitors: [0; 4],
             rings: [eye.parameters.shell.limbus, FRAC_PI_2].map(|front| {
                 let azimuths = (0..AROUND).map(|i| TAU * i as f64 / AROUND as f64);
-                let points = azimuths.map(|azimuth| {
-                    let direction = direction(front, towards(azimuth));
-                    eye.on_shell(direction)
-                });
-                points.flatten().collect()
+                let on_shell = |azimuth| eye.on_shell(direction(front, towards(azimuth)));
+                azimuths.filter_map(on_shell).collect()
             }),
             up: towards(azimuth),
             face: [towards(FRAC_PI_2 - blow.up), towards(-blow.up)],
@@ -125,11 +118,9 @@ impl Section {
         let mut number = vec![None; mesh.x.len()];
         for (node, number) in number.iter_mut().enumerate() {
             let place = Vector3::x() * mesh.x[node] + out * mesh.r[node];
-            let on_shell = mesh.shell.contains(&node);
-            let (point, region) = if on_shell {
+            let (point, region) = if mesh.shell.contains(&node) {
                 let back = mesh.x[node] > 0.0;
-                let region = if back { Region::Retina } else { Region::Shell };
-                (eye.on_shell(place), region)
+                (eye.on_shell(place), if back { Region::Retina } else { Region::Shell })
             } else {
                 let found = eye.at(place * INSIDE, Some(Place::Globe));
                 let lens = found.as_ref().is_some_and(|(_, cell)| eye.cells[*cell].lens > 0.5);
@@ -153,16 +144,13 @@ impl Section {
                 }
             }
         }
-        let shell = mesh.shell.iter().filter_map(|node| number[*node]);
-        self.shell[side] = shell.collect();
+        self.shell[side] = mesh.shell.iter().filter_map(|node| number[*node]).collect();
     }
 
     /// What holds the globe on one side.
     fn put_around(&mut self, eye: &SpatialEye, nodes: &Nodes, azimuth: f64, side: usize) {
         let (rim, radius) = (eye.rim.filter(|rim| !rim.is_round()), eye.parameters.radius);
-        let Some(cavity) = Cavity::new(&eye.parameters, rim) else {
-            return;
-        };
+        let Some(cavity) = Cavity::new(&eye.parameters, rim) else { return };
         let out = towards(azimuth);
         let direction = |front: f64| direction(front, out);
         let openings = (0..=180).map(|i| f64::from(i) * PI / 180.0);
@@ -180,8 +168,7 @@ impl Section {
                 } else {
                     let shrunk = radius + (far - radius) * share * INSIDE;
                     let found = eye.at(direction * shrunk, Some(Place::Surround));
-                    let wall = layer == LAYERS;
-                    let region = if wall { Region::Orbit } else { Region::Fat };
+                    let region = if layer == LAYERS { Region::Orbit } else { Region::Fat };
                     (found.map(|(point, _)| point), region)
                 };
                 *place = point.map(|point| self.put(nodes, point, region));
@@ -192,9 +179,7 @@ impl Section {
                 let corners =
                     [rays[0][layer], rays[0][layer + 1], rays[1][layer + 1], rays[1][layer]];
                 let found: Vec<usize> = corners.into_iter().flatten().collect();
-                let Ok(corners) = <[usize; 4]>::try_from(found) else {
-                    continue;
-                };
+                let Ok(corners) = <[usize; 4]>::try_from(found) else { continue };
                 let sum: Vector3<f64> =
                     corners.iter().map(|i| self.points[*i].point.of(nodes)).sum();
                 if let Some((_, cell)) = eye.at(sum * 0.25, Some(Place::Surround)) {

@@ -10,7 +10,7 @@ use crate::models::axisymmetric::recording::sensor::{
 };
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::eye::{SpatialEye, Tissue, within};
-use crate::models::spatial::forces::object::towards;
+use crate::models::spatial::forces::object::{direction, towards};
 use nalgebra::Vector3;
 
 /// Points along each side of a cell that tell how much of it the sensor takes.
@@ -37,16 +37,11 @@ pub(crate) fn weights(eye: &SpatialEye) -> Vec<(f64, f64)> {
     weighed(cells)
 }
 
-/// The four monitored places, those of the axisymmetric eye, in axes turned so that azimuth `up` is
-/// up.
+/// The monitored places of the axisymmetric eye, in axes turned so that azimuth `up` is up.
 pub(crate) fn monitored(eye: &SpatialEye, up: f64) -> [Vector3<f64>; 4] {
     let above = towards(-up);
     let aim = eye.parameters.radius / 9.0 * std::f64::consts::FRAC_1_SQRT_2;
-    let on_shell = |front_deg: f64| {
-        let front = front_deg.to_radians();
-        let (along, across) = (-libm::cos(front), libm::sin(front));
-        (Vector3::x() * along + above * across) * eye.parameters.radius
-    };
+    let on_shell = |front: f64| direction(front.to_radians(), above) * eye.parameters.radius;
     [(Vector3::x() + above) * aim, on_shell(5.0), on_shell(175.0), on_shell(95.0)]
 }
 

@@ -175,10 +175,8 @@ impl Shapes {
         // The mean of a matrix and the inverse of its transpose comes to its turn.
         let mut turn = sum * (3.0 / sum.trace().abs().max(f64::MIN_POSITIVE));
         for _ in 0..STEPS {
-            match turn.transpose().try_inverse() {
-                Some(inverse) => turn = (turn + inverse) * 0.5,
-                None => break,
-            }
+            let Some(inverse) = turn.transpose().try_inverse() else { break };
+            turn = (turn + inverse) * 0.5;
         }
         let cosine = 0.5 * (turn.trace() - 1.0);
         let twice = [(2, 1), (0, 2), (1, 0)].map(|(i, k)| turn[(i, k)] - turn[(k, i)]);
@@ -186,7 +184,6 @@ impl Shapes {
         (middle - self.rest.middle, libm::atan2(sine, cosine))
     }
 
-    /// The nodes of the shell.
     pub fn shell(&self) -> &[(usize, f64)] {
         &self.shell
     }

@@ -22,10 +22,11 @@ use crate::models::axisymmetric::recording::tissue::{
 };
 use crate::models::axisymmetric::{eye::part, recording::sensor::LowPass};
 use crate::models::spatial::eye::mesh::{Extent, Place};
+use crate::models::spatial::eye::orbit::seen_from_the_middle;
 use crate::models::spatial::eye::point::{Nodes, Point};
 use crate::models::spatial::eye::{SpatialEye, area, upon};
+use crate::models::spatial::forces::object::{direction, towards};
 use crate::models::spatial::recording::results::Extremes;
-use crate::models::spatial::{eye::orbit::seen_from_the_middle, forces::object::towards};
 use crate::run::kept::Peak;
 use crate::run::sectors::{HOURS, QUADRANTS};
 use nalgebra::Vector3;
@@ -80,19 +81,10 @@ fn piece(azimuth: f64, from: f64, of: usize) -> usize {
     ((turns * of as f64).round().rem_euclid(of as f64)) as usize % of
 }
 
-/// The direction at a front angle in degrees and an azimuth.
-fn direction(front_deg: f64, azimuth: f64) -> Vector3<f64> {
-    let front = front_deg.to_radians();
-    towards(azimuth) * libm::sin(front) - Vector3::x() * libm::cos(front)
-}
-
 impl Tissues {
     /// At rest, of an eye in axes turned so that azimuth `up` is up.
     pub fn new(eye: &SpatialEye, at: &Nodes, up: f64) -> Self {
-        let images: &[f64] = match eye.extent {
-            Extent::Half => &[1.0, -1.0],
-            Extent::Full => &[1.0],
-        };
+        let images: &[f64] = if eye.extent == Extent::Half { &[1.0, -1.0] } else { &[1.0] };
         let (mut equator, mut back) = (Vec::new(), Vec::new());
         for (number, quad) in eye.quads.iter().enumerate() {
             let p = quad.corners.map(|node| eye.mesh.at[node]);
@@ -107,8 +99,8 @@ impl Tissues {
             let share = banded.count() as f64 / count;
             let hour = |sign: f64| piece(sign * quad.seen.1 + up, 0.0, HOURS);
             if share > 0.0 {
-                let (hours, passed) =
-                    ([hour(1.0), hour(images[images.len() - 1])], LowPass::default());
+                let hours = [hour(1.0), hour(images[images.len() - 1])];
+                let passed = LowPass::default();
                 equator.push(EquatorQuad { quad: number, share, hours, passed });
             }
             let whole = area(&p) / count;
@@ -132,17 +124,15 @@ impl Tissues {
         let azimuth = |hour: f64| TAU * hour / HOURS as f64 - up;
         let ring = (0..count).filter_map(|i| {
             let hour = (i as f64) / PIECES as f64 - 0.5;
-            eye.on_shell(direction(EDGE_DEG, azimuth(hour)))
+            eye.on_shell(direction(EDGE_DEG.to_radians(), towards(azimuth(hour))))
         });
         let ring: Vec<Point> = ring.collect();
         let ring_rest = lengths(&ring, at);
         let held = [EDGE_DEG, IRIS_DEG].map(|front| {
             let held = (0..HOURS).filter_map(|hour| {
-                let azimuth = azimuth(hour as f64);
-                let (x, r) = LENS_EQUATOR;
-                let place = Vector3::x() * x + towards(azimuth) * r;
-                let (lens, _) = eye.at(place, Some(Place::Globe))?;
-                let shell = eye.on_shell(direction(front, azimuth))?;
+                let (out, (x, r)) = (towards(azimuth(hour as f64)), LENS_EQUATOR);
+                let (lens, _) = eye.at(Vector3::x() * x + out * r, Some(Place::Globe))?;
+                let shell = eye.on_shell(direction(front.to_radians(), out))?;
                 let rest = (shell.of(at) - lens.of(at)).norm();
                 Some(Held { rest, lens, shell, passed: LowPass::default() })
             });
