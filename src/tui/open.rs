@@ -158,15 +158,14 @@ pub(crate) fn run(
 fn resume(look: Look) -> Result<App, ScenarioError> {
     let (saved, changed) = match saved_session::read() {
         Ok(Some(saved)) => saved,
-        Ok(None) => {
+        nothing => {
             let mut app = prepare(&[], look)?;
-            let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
-            app.model.overlay = Some(Overlay::Picker(picker));
-            return Ok(app);
-        }
-        Err(error) => {
-            let mut app = prepare(&[], look)?;
-            app.model.notice = Some(format!("where you left off cannot be read: {error}"));
+            if let Err(error) = nothing {
+                app.model.notice = Some(format!("where you left off cannot be read: {error}"));
+            } else {
+                let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
+                app.model.overlay = Some(Overlay::Picker(picker));
+            }
             return Ok(app);
         }
     };
@@ -194,8 +193,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
 fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError> {
     model.guest = true;
     for choice in &mut model.choices {
-        let may = choice.scenario.as_ref().map(guest::allowed);
-        if let Ok(Err(why)) = may {
+        if let Ok(Err(why)) = choice.scenario.as_ref().map(guest::allowed) {
             if sources.contains(&choice.name) {
                 return Err(Problem::new("", why).of(&choice.name).into());
             }
@@ -224,8 +222,7 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
         works.push(Work::fresh(source, &scenario));
     }
     let work = works[0].clone();
-    let selected = strength(&work.scenario);
-    let form = ScenarioForm { selected, ..ScenarioForm::default() };
+    let form = ScenarioForm { selected: strength(&work.scenario), ..ScenarioForm::default() };
     let mut model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
     let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
     for screen in &mut screens {

@@ -2,7 +2,6 @@
 
 use crate::scenario::Scenario;
 
-/// What is being worked on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Work {
     /// What the form shows, edits and all.
@@ -46,6 +45,5 @@ impl Work {
 
 /// The name of a preset, or the last part of a file's path.
 pub fn brief(source: &str) -> &str {
-    let mut parts = source.rsplit(['/', '\\']);
-    parts.find(|part| !part.is_empty()).unwrap_or("")
+    source.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("")
 }

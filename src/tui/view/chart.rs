@@ -270,8 +270,7 @@ mod tests {
     fn a_chart_goes_from_the_first_to_the_last_that_happens() {
         let time: Vec<f64> = (0..=100).map(f64::from).collect();
         let during = |from: usize, to: usize| -> Vec<f64> {
-            let on = |i: usize| if (from..=to).contains(&i) { -5.0 } else { 0.05 };
-            (0..=100).map(on).collect()
+            (0..=100).map(|i: usize| if (from..=to).contains(&i) { -5.0 } else { 0.05 }).collect()
         };
         let (early, late, nothing) = (during(3, 20), during(40, 60), vec![0.0; 101]);
         let of = |values: &[&Vec<f64>]| active(&time, values.iter().map(|v| &v[..]), 100.0);
