@@ -239,10 +239,8 @@ mod tests {
         assert_eq!(clock.moment, Moment::At(1e-3));
         clock.advance(10.0, 1e-3, 3e-3);
         assert_eq!(clock.moment, Moment::At(0.0));
-        let keep = Keep {
-            traces: false,
-            frames: Some(Spacing { early: 12, early_every: 1e-5, every: 1e-4, doubles: false }),
-        };
+        let spacing = Spacing { early: 12, early_every: 1e-5, every: 1e-4, doubles: false };
+        let keep = Keep { traces: false, frames: Some(spacing) };
         let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
         let frames = &answer.run.frames;
         clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);

@@ -201,6 +201,7 @@ fn about_entry(list: &str, name: &str) -> String {
 /// What a setting does, what is wrong with a value of the wrong kind, and what it may be.
 fn setting(path: &str) -> Option<(&'static str, &'static str, String)> {
     let known = "is not known here";
+    let flag = |about| (about, "is neither true nor false", "true or false".to_owned());
     Some(match path {
         "color" => ("How many colours", known, word::all::<ColorFlag>()),
         "ground" => {
@@ -220,13 +221,8 @@ fn setting(path: &str) -> Option<(&'static str, &'static str, String)> {
             let wrong = "is not a whole number in range";
             ("Most frames a second of a replay", wrong, "whole numbers 1 to 60".to_owned())
         }
-        "mouse" | "idle" => {
-            let about = match path {
-                "mouse" => "Whether the mouse is listened to",
-                _ => "Whether mesh errors and bands are computed while you do nothing",
-            };
-            (about, "is neither true nor false", "true or false".to_owned())
-        }
+        "mouse" => flag("Whether the mouse is listened to"),
+        "idle" => flag("Whether mesh errors and bands are computed while you do nothing"),
         "start" => {
             let about = "The screen that is shown first; last: where you left off, with what you \
                          worked on";

@@ -116,12 +116,9 @@ pub(crate) fn run(
              `contrecoup run paper-300n` works without one.",
         ));
     };
-    let look = Look {
-        depth,
-        symbols: symbols(flags.symbols.or(config.symbols), env),
-        heat: config.heat,
-        palette: Palette { light: config.ground.is_light(env), own: config.colours },
-    };
+    let symbols = symbols(flags.symbols.or(config.symbols), env);
+    let palette = Palette { light: config.ground.is_light(env), own: config.colours };
+    let look = Look { depth, symbols, heat: config.heat, palette };
     // Who asks for something, or wants one screen always, goes on from nowhere.
     let first = config.first_screen();
     let goes_on = guest.is_none() && first.is_none();
@@ -138,11 +135,8 @@ pub(crate) fn run(
     if let Some(screen) = first.filter(|_| sources.len() < 2) {
         app.show(screen);
     }
-    let settings = terminal::Settings {
-        fps: flags.fps.unwrap_or(config.fps),
-        fail_on: flags.fail_on,
-        guest_limit: guest,
-    };
+    let fps = flags.fps.unwrap_or(config.fps);
+    let settings = terminal::Settings { fps, fail_on: flags.fail_on, guest_limit: guest };
     let (code, app) = terminal::run(app, &settings)?;
     // Where nothing was changed, the next start asks again: no reason to fail now.
     if app.model.goes_on

@@ -33,11 +33,9 @@ pub fn choices() -> Vec<Choice> {
     }
     if own > MAX_OWN {
         let unlisted = "presets of your own; `contrecoup presets` lists all";
-        choices.push(Choice {
-            name: format!("({} more)", own - MAX_OWN),
-            scenario: Err(format!("the app lists {MAX_OWN} {unlisted}")),
-            origin: "own",
-        });
+        let scenario = Err(format!("the app lists {MAX_OWN} {unlisted}"));
+        let name = format!("({} more)", own - MAX_OWN);
+        choices.push(Choice { name, scenario, origin: "own" });
     }
     choices
 }

@@ -15,11 +15,8 @@ pub struct Work {
 impl Work {
     /// Work on a scenario as it was found.
     pub fn fresh(source: &str, scenario: &Scenario) -> Self {
-        Self {
-            scenario: scenario.clone(),
-            source: source.to_owned(),
-            original: Some(scenario.clone()),
-        }
+        let original = Some(scenario.clone());
+        Self { scenario: scenario.clone(), source: source.to_owned(), original }
     }
 
     /// What it is called in short: of a file's path the last part.

@@ -261,8 +261,7 @@ fn lists_of_presets_have_a_first_and_a_last() {
     assert_eq!(row(&app), last - 10);
     press(&mut app, "\x1b[H\x1b[6~");
     assert_eq!(row(&app), 10);
-    press(&mut app, "\x1b");
-    press(&mut app, "\x1b4\x1b[F");
+    press(&mut app, "\x1b\x1b4\x1b[F");
     assert_eq!(app.state::<Comparison>().row, last + 1);
     press(&mut app, "\x1b[H");
     assert_eq!(app.state::<Comparison>().row, 0);

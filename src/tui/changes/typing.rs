@@ -14,12 +14,8 @@ pub(crate) fn begin(model: &mut AppModel, empty: bool) {
     let Some(field) = model.form.selected.field() else { return };
     model.form.complaint = None;
     let text = typed_text(field, &model.work.scenario).unwrap_or_default();
-    model.form.typing = Some(Typing {
-        field,
-        input: TextLine::of(if empty { String::new() } else { text }),
-        fresh: empty,
-        error: None,
-    });
+    let input = TextLine::of(if empty { String::new() } else { text });
+    model.form.typing = Some(Typing { field, input, fresh: empty, error: None });
 }
 
 /// A key that is no binding. A letter that no number has is refused: it was meant as a key.

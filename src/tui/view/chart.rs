@@ -67,8 +67,7 @@ fn range(curves: &[TimeCurve], (from, to): Ends) -> Ends {
     range
 }
 
-/// Draws curves, a span of time across and a range of values upwards. A column of dots spans all
-/// values that fall into it, so no peak is lost.
+/// Draws curves over a span of time. A column of dots spans all its values, so no peak is lost.
 fn plot(raster: &mut Raster, curves: &[TimeCurve], span: Ends, range: Ends, filled: bool) {
     let ((start, end), (low, high)) = (span, range);
     let (columns, rows) = raster.size();

@@ -29,7 +29,7 @@ struct Ring<'a> {
 }
 
 impl Ring<'_> {
-    /// The strain at a turn towards the nose, and how far, in sectors, its sector's middle is.
+    /// The strain at a turn towards the nose, and how many sectors off its sector's middle that is.
     fn strain(&self, turn: f64) -> (f64, f64) {
         let count = self.strains.len() as f64;
         let at = turn / TAU * count - self.shift;

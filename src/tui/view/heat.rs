@@ -22,7 +22,7 @@ impl HeatMap {
     }
 }
 
-/// The forces at which the steps of heat begin: each twice the one before, up to the largest.
+/// Where the steps of heat begin, in N: each twice the one before, the last at most the largest.
 pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
     let top = if largest > 0.0 { largest.log2().floor() as i32 } else { 0 };
     let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
