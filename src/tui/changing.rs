@@ -37,17 +37,14 @@ impl Changing {
         Some(changing)
     }
 
-    /// The field that is changed.
     pub fn field(&self) -> &'static Field {
         self.fields[self.at]
     }
 
     /// Goes on by so many fields; what was typed into this one is dropped.
     pub fn go(&mut self, by: isize) {
-        let last = self.fields.len() - 1;
-        self.at = self.at.saturating_add_signed(by).min(last);
-        let text = typed_text(self.field(), &self.scenario);
-        self.input = TextLine::of(text.unwrap_or_default());
+        self.at = self.at.saturating_add_signed(by).min(self.fields.len() - 1);
+        self.input = TextLine::of(typed_text(self.field(), &self.scenario).unwrap_or_default());
         self.error = None;
     }
 
@@ -59,8 +56,7 @@ impl Changing {
 
 /// Whether what is compared under a name, such as `bb-62@60`, began as that preset.
 pub fn began_as(name: &str, preset: &str) -> bool {
-    let rest = name.strip_prefix(preset);
-    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['@', ',']))
+    name.strip_prefix(preset).is_some_and(|rest| rest.is_empty() || rest.starts_with(['@', ',']))
 }
 
 /// What a preset is called once some of its fields are others: its speed stands behind an `@`.

@@ -92,18 +92,14 @@ impl Clock {
 
     /// Moves by one frame, or by ten. The last interval goes on to the end of the window.
     pub fn step(&mut self, step: Step, from: f64, frames: &[Frame], window: f64) {
-        let [.., before, last] = frames else {
-            return;
-        };
+        let [.., before, last] = frames else { return };
         let by = if step.coarse { 10 } else { 1 };
         let every = last.time - before.time;
         let beyond = ((from - last.time) / every).round().max(0.0);
         let here = nearest(frames, from) + beyond as usize;
         let next = if step.up { here + by } else { here.saturating_sub(by) };
-        let time = frames.get(next).map_or_else(
-            || last.time + every * (next + 1 - frames.len()) as f64,
-            |frame| frame.time,
-        );
+        let later = || last.time + every * (next + 1 - frames.len()) as f64;
+        let time = frames.get(next).map_or_else(later, |frame| frame.time);
         self.moment = Moment::At(time.clamp(0.0, window));
         self.playing = false;
     }
@@ -156,11 +152,9 @@ impl Clock {
         // Peaks this close are told apart by no one.
         let near = 1e-9;
         let found = if forward {
-            let after = peaks.iter().find(|peak| peak.time > now + near);
-            after.or(peaks.first())
+            peaks.iter().find(|peak| peak.time > now + near).or(peaks.first())
         } else {
-            let before = peaks.iter().rev().find(|peak| peak.time < now - near);
-            before.or(peaks.last())
+            peaks.iter().rfind(|peak| peak.time < now - near).or(peaks.last())
         };
         if let Some(peak) = found {
             self.moment = Moment::At(peak.time);
@@ -204,10 +198,8 @@ pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Opt
     let counts = || (1..=here.len()).rev();
     let forms = counts().map(|count| some(&whole, count));
     let brief = counts().map(|count| some(&names, count));
-    forms
-        .chain(brief)
-        .chain([format!("{} peaks", here.len())])
-        .find(|text| !here.is_empty() && fits(text))
+    let mut all = forms.chain(brief).chain([format!("{} peaks", here.len())]);
+    all.find(|text| !here.is_empty() && fits(text))
 }
 
 #[cfg(test)]
@@ -236,8 +228,7 @@ mod tests {
         assert_eq!(clock.moment, Moment::At(all[all.len() - 1].time));
         for _ in 0..3 {
             clock.jump(&answer, true, |of| of == Quantity::ForceRight);
-            let only = answer.peak(Quantity::ForceRight).unwrap().time;
-            assert_eq!(clock.moment, Moment::At(only));
+            assert_eq!(clock.moment, Moment::At(answer.peak(Quantity::ForceRight).unwrap().time));
         }
     }
 
@@ -248,10 +239,8 @@ mod tests {
         assert_eq!(clock.moment, Moment::At(1e-3));
         clock.advance(10.0, 1e-3, 3e-3);
         assert_eq!(clock.moment, Moment::At(0.0));
-        let keep = Keep {
-            traces: false,
-            frames: Some(Spacing { early: 12, early_every: 1e-5, every: 1e-4, doubles: false }),
-        };
+        let spacing = Spacing { early: 12, early_every: 1e-5, every: 1e-4, doubles: false };
+        let keep = Keep { traces: false, frames: Some(spacing) };
         let answer = solve(&CheckedScenario::default(), keep, &mut unwatched).unwrap();
         let frames = &answer.run.frames;
         clock.step(Step::MUCH_MORE, 0.0, frames, 3e-3);

@@ -161,17 +161,13 @@ impl Config {
 
 /// Names and values, which JSON and RON write alike.
 fn fields(of: &impl Serialize) -> Map<String, Value> {
-    let value = serde_json::to_value(of).ok();
-    value.and_then(|value| value.as_object().cloned()).unwrap_or_default()
+    serde_json::to_value(of).ok().and_then(|of| of.as_object().cloned()).unwrap_or_default()
 }
 
 /// A value as it is written in one line.
 fn spaced(value: &Value) -> String {
-    let Some(list) = value.as_array() else {
-        return value.to_string();
-    };
-    let each: Vec<String> = list.iter().map(Value::to_string).collect();
-    format!("[{}]", each.join(", "))
+    let Some(list) = value.as_array() else { return value.to_string() };
+    format!("[{}]", list.iter().map(Value::to_string).collect::<Vec<_>>().join(", "))
 }
 
 /// What a setting does, and what it may be.
@@ -205,6 +201,7 @@ fn about_entry(list: &str, name: &str) -> String {
 /// What a setting does, what is wrong with a value of the wrong kind, and what it may be.
 fn setting(path: &str) -> Option<(&'static str, &'static str, String)> {
     let known = "is not known here";
+    let flag = |about| (about, "is neither true nor false", "true or false".to_owned());
     Some(match path {
         "color" => ("How many colours", known, word::all::<ColorFlag>()),
         "ground" => {
@@ -224,19 +221,13 @@ fn setting(path: &str) -> Option<(&'static str, &'static str, String)> {
             let wrong = "is not a whole number in range";
             ("Most frames a second of a replay", wrong, "whole numbers 1 to 60".to_owned())
         }
-        "mouse" | "idle" => {
-            let about = match path {
-                "mouse" => "Whether the mouse is listened to",
-                _ => "Whether mesh errors and bands are computed while you do nothing",
-            };
-            (about, "is neither true nor false", "true or false".to_owned())
-        }
+        "mouse" => flag("Whether the mouse is listened to"),
+        "idle" => flag("Whether mesh errors and bands are computed while you do nothing"),
         "start" => {
             let about = "The screen that is shown first; last: where you left off, with what you \
                          worked on";
             let all = std::iter::once(LAST.to_owned()).chain(titles());
-            let quoted: Vec<String> = all.map(|title| format!("{title:?}")).collect();
-            (about, known, quoted.join(", "))
+            (about, known, all.map(|title| format!("{title:?}")).collect::<Vec<_>>().join(", "))
         }
         path if path.starts_with("colours.") => ("", "is no such colour", Colour::allowed()),
         path if path.starts_with("keys.") => {
@@ -262,14 +253,12 @@ mod word {
 
     /// All that may be chosen, in quotes.
     pub fn all<T: ValueEnum>() -> String {
-        let words: Vec<String> =
-            T::value_variants().iter().map(|of| format!("{:?}", name(of))).collect();
-        words.join(", ")
+        let words = T::value_variants().iter().map(|of| format!("{:?}", name(of)));
+        words.collect::<Vec<_>>().join(", ")
     }
 
     pub fn name<T: ValueEnum>(value: &T) -> String {
-        let word = value.to_possible_value();
-        word.map_or(String::new(), |word| word.get_name().to_owned())
+        value.to_possible_value().map_or(String::new(), |word| word.get_name().to_owned())
     }
 
     pub fn read<T: ValueEnum, E: Error>(word: &str) -> Result<T, E> {

@@ -90,8 +90,7 @@ impl Samples {
 
     /// How far the samples under way are, in words.
     pub fn pace(&self) -> Option<String> {
-        let count = self.task.job.as_ref()?.question.count;
-        self.task.pace(Some(count as usize))
+        self.task.pace(Some(self.task.job.as_ref()?.question.count as usize))
     }
 }
 

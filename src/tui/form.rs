@@ -69,9 +69,7 @@ pub struct Typing {
 
 /// Whether a field belongs to the question itself, not to the anatomy or the numerics.
 fn is_basic(field: &Field) -> bool {
-    ["model", "impact", "window_ms"]
-        .iter()
-        .any(|path| field.path == *path || field.path.starts_with("impact."))
+    ["model", "impact", "window_ms"].contains(&field.path) || field.path.starts_with("impact.")
 }
 
 /// Whether a field says nothing: the hour of a blow that comes straight on, or at the centre.
@@ -83,17 +81,9 @@ fn is_idle(field: &Field, scenario: &Scenario) -> bool {
     }
 }
 
-/// Whether there is nothing to choose.
-fn is_settled(field: &Field) -> bool {
-    field.path == "impact"
-        && matches!(&field.kind, Kind::Choice(choices) if choices.names().len() < 2)
-}
-
 /// The rows, from the top.
 pub fn rows(scenario: &Scenario, advanced: bool) -> Vec<FormRow> {
-    let there = |field: &&Field| {
-        field.text(scenario).is_some() && !is_settled(field) && !is_idle(field, scenario)
-    };
+    let there = |field: &&Field| field.text(scenario).is_some() && !is_idle(field, scenario);
     let fields = FIELDS.iter().filter(there);
     let (basic, rest): (Vec<_>, Vec<_>) = fields.partition(|field| is_basic(field));
     let mut rows = vec![FormRow::Preset];
@@ -208,8 +198,7 @@ pub(crate) fn with_text(
     let refused = |error| words(&error);
     set(&mut changed, field.path, text).map_err(refused)?;
     if field.path == "impact" && Model::usual_for(&changed.impact) != Model::Paper {
-        // Whoever asks for an object means the model that takes one; its parts are kept if it is
-        // there.
+        // Whoever asks for an object means the model that takes one, whose parts are kept.
         set(&mut changed, "model", "Physiological").map_err(refused)?;
     }
     changed.check().map_err(refused)?;
@@ -218,9 +207,7 @@ pub(crate) fn with_text(
 
 /// The place of what is chosen. None of a recorded curve, which no key throws away.
 pub fn chosen(field: &Field, scenario: &Scenario) -> Option<usize> {
-    let Kind::Choice(choices) = &field.kind else {
-        return None;
-    };
+    let Kind::Choice(choices) = &field.kind else { return None };
     let present = choices.get(scenario)?;
     choices.names().iter().position(|name| *name == present)
 }
@@ -265,9 +252,7 @@ pub(crate) fn nudged(
             let by = if step.up { 1 } else { names.len() - 1 };
             return with_text(scenario, field, names[(here + by) % names.len()]);
         }
-        Kind::Integers(..) | Kind::Text(..) => {
-            return Err("Enter opens it for typing".to_owned());
-        }
+        Kind::Integers(..) | Kind::Text(..) => return Err("Enter opens it for typing".to_owned()),
     }
     changed.check().map_err(|error| words(&error))?;
     Ok(changed)
@@ -332,9 +317,7 @@ mod tests {
     #[test]
     fn every_number_can_be_stepped_to_its_bounds_and_no_further() {
         for field in FIELDS {
-            let Kind::Number(_, place) = &field.kind else {
-                continue;
-            };
+            let Kind::Number(_, place) = &field.kind else { continue };
             let has = |scenario: &Scenario| (place.get)(scenario).is_some();
             let holder = every_variant().into_iter().rfind(has).unwrap();
             let bounds = field.bounds_in(&holder).unwrap();

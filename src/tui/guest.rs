@@ -16,29 +16,24 @@ use crate::files;
 use crate::scenario::Scenario;
 use crate::tui::ensemble;
 
-/// The finest mesh.
 pub const FINEST_LEVEL: u32 = 3;
-/// The longest simulated time, in ms.
 pub const LONGEST_WINDOW_MS: f64 = 20.0;
-/// The most samples.
 pub const MOST_SAMPLES: u32 = ensemble::FEW;
 /// The longest that one answer is worked on.
 pub const LONGEST_ANSWER: Duration = Duration::from_secs(30);
-/// The most memory, in bytes.
+/// In bytes.
 pub const MEMORY: u64 = 256 << 20;
 
 /// Whether a guest may have this simulated, or what is too much.
 pub fn allowed(scenario: &Scenario) -> Result<(), String> {
     let (level, window) = (scenario.eye.level, scenario.window_ms.unwrap_or(0.0));
     if level > FINEST_LEVEL {
-        return Err(format!("level {level} is not for guests: allowed 1 to {FINEST_LEVEL}"));
+        Err(format!("level {level} is not for guests: allowed 1 to {FINEST_LEVEL}"))
+    } else if window > LONGEST_WINDOW_MS {
+        Err(format!("{window} ms are not for guests: allowed up to {LONGEST_WINDOW_MS} ms"))
+    } else {
+        Ok(())
     }
-    if window > LONGEST_WINDOW_MS {
-        return Err(format!(
-            "{window} ms are not for guests: allowed up to {LONGEST_WINDOW_MS} ms"
-        ));
-    }
-    Ok(())
 }
 
 /// Takes from this process and all its later threads what a guest does not need, for good.
@@ -56,6 +51,7 @@ fn by_the_system() -> io::Result<()> {
         let most = Some(most);
         setrlimit(resource, Rlimit { current: most, maximum: most })?;
     }
+    #[cfg(target_os = "linux")]
     one_core();
     Ok(())
 }
@@ -65,9 +61,7 @@ fn by_the_system() -> io::Result<()> {
 fn one_core() {
     use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
 
-    let Ok(all) = sched_getaffinity(None) else {
-        return;
-    };
+    let Ok(all) = sched_getaffinity(None) else { return };
     let ours = std::process::id() as usize % (all.count().max(1) as usize);
     if let Some(core) = (0..CpuSet::MAX_CPU).filter(|core| all.is_set(*core)).nth(ours) {
         let mut one = CpuSet::new();
@@ -75,9 +69,6 @@ fn one_core() {
         let _ = sched_setaffinity(None, &one);
     }
 }
-
-#[cfg(all(unix, not(target_os = "linux")))]
-fn one_core() {}
 
 /// Windows has none of these limits for a process of its own.
 #[cfg(not(unix))]
@@ -93,8 +84,7 @@ mod tests {
     #[test]
     fn every_preset_of_the_program_is_for_guests() {
         for preset in built_in() {
-            let scenario = preset.scenario().unwrap();
-            assert_eq!(allowed(&scenario), Ok(()), "{}", preset.name);
+            assert_eq!(allowed(&preset.scenario().unwrap()), Ok(()), "{}", preset.name);
         }
     }
 }

@@ -110,8 +110,7 @@ pub enum TimeKeys {
 
 /// Whether what is pasted now begins a value.
 pub fn begins_value(stack: &[KeyList]) -> bool {
-    let mut keys = stack.iter().flat_map(|list| &list.keys);
-    keys.any(|key| key.begins_value)
+    stack.iter().flat_map(|list| &list.keys).any(|key| key.begins_value)
 }
 
 /// What the footer may show of the lists in which a key is looked up now: keys and their word, the
@@ -153,8 +152,7 @@ pub fn footer_keys(
     } else {
         live.sort_by_key(|(late, ..)| *late);
     }
-    let shown = live.into_iter();
-    shown.map(|(_, names, word)| (names, word)).collect()
+    live.into_iter().map(|(_, names, word)| (names, word)).collect()
 }
 
 /// The lists as the guide shows them: a heading and a block of text for each.

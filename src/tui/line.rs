@@ -20,7 +20,6 @@ impl TextLine {
         Self { selected: !text.is_empty(), input: Input::new(text) }
     }
 
-    /// The text.
     pub fn value(&self) -> &str {
         self.input.value()
     }
@@ -33,7 +32,6 @@ impl TextLine {
         self.input.handle(InputRequest::InsertChar(c));
     }
 
-    /// Takes a key in.
     pub fn key(&mut self, event: KeyEvent) {
         if let Some(c) = letter(event) {
             self.put(c);

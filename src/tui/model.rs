@@ -19,9 +19,7 @@ pub type Timed<'a> = (&'a Answer, f64);
 pub struct AppModel {
     /// What is being worked on.
     pub work: Work,
-    /// What can be undone.
     pub history: History<Work>,
-    /// The form.
     pub form: ScenarioForm,
     /// The last good result, if there ever was one.
     pub shown: Option<ShownAnswer>,
@@ -31,23 +29,18 @@ pub struct AppModel {
     pub run: Task<Simulate>,
     /// What the ranges of the answer on show do not hold yet.
     pub rest: Task<Complete>,
-    /// A page to take away.
     pub page: Task<WritePage>,
-    /// What is in front of the screen.
     pub overlay: Option<Overlay>,
-    /// The moment shown.
     pub clock: Clock,
     /// Samples over what is not known of the inputs.
     pub ensemble: Samples,
     /// Removed presets: how many changes could be undone then, the name, and the file's text.
     pub removed: Vec<(usize, String, String)>,
-    /// What can be opened.
     pub choices: Vec<Choice>,
     /// Said in the footer until the next key.
     pub notice: Option<String>,
     /// Whether frames take long to arrive.
     pub slow_link: bool,
-    /// How things are drawn.
     pub look: Look,
     /// Whether the mouse is listened to.
     pub mouse: bool,
@@ -57,7 +50,6 @@ pub struct AppModel {
     pub goes_on: bool,
     /// Whether whoever works is a [guest](crate::tui::guest).
     pub guest: bool,
-    /// Keys of the person's own choice.
     pub keys: Keys,
     /// Time since the start.
     pub now: Duration,
@@ -138,8 +130,7 @@ impl AppModel {
 
     /// The answer to the form, if there is one, with the name of its source.
     pub fn answer(&self) -> Vec<(String, &ShownAnswer)> {
-        let named = |shown| (self.work.name().to_owned(), shown);
-        self.shown.iter().map(named).collect()
+        self.shown.iter().map(|shown| (self.work.name().to_owned(), shown)).collect()
     }
 
     /// The time shown of the answer to the form, in s.

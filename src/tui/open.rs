@@ -116,12 +116,9 @@ pub(crate) fn run(
              `contrecoup run paper-300n` works without one.",
         ));
     };
-    let look = Look {
-        depth,
-        symbols: symbols(flags.symbols.or(config.symbols), env),
-        heat: config.heat,
-        palette: Palette { light: config.ground.is_light(env), own: config.colours },
-    };
+    let symbols = symbols(flags.symbols.or(config.symbols), env);
+    let palette = Palette { light: config.ground.is_light(env), own: config.colours };
+    let look = Look { depth, symbols, heat: config.heat, palette };
     // Who asks for something, or wants one screen always, goes on from nowhere.
     let first = config.first_screen();
     let goes_on = guest.is_none() && first.is_none();
@@ -138,11 +135,8 @@ pub(crate) fn run(
     if let Some(screen) = first.filter(|_| sources.len() < 2) {
         app.show(screen);
     }
-    let settings = terminal::Settings {
-        fps: flags.fps.unwrap_or(config.fps),
-        fail_on: flags.fail_on,
-        guest_limit: guest,
-    };
+    let fps = flags.fps.unwrap_or(config.fps);
+    let settings = terminal::Settings { fps, fail_on: flags.fail_on, guest_limit: guest };
     let (code, app) = terminal::run(app, &settings)?;
     // Where nothing was changed, the next start asks again: no reason to fail now.
     if app.model.goes_on
@@ -158,15 +152,14 @@ pub(crate) fn run(
 fn resume(look: Look) -> Result<App, ScenarioError> {
     let (saved, changed) = match saved_session::read() {
         Ok(Some(saved)) => saved,
-        Ok(None) => {
+        nothing => {
             let mut app = prepare(&[], look)?;
-            let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
-            app.model.overlay = Some(Overlay::Picker(picker));
-            return Ok(app);
-        }
-        Err(error) => {
-            let mut app = prepare(&[], look)?;
-            app.model.notice = Some(format!("where you left off cannot be read: {error}"));
+            if let Err(error) = nothing {
+                app.model.notice = Some(format!("where you left off cannot be read: {error}"));
+            } else {
+                let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
+                app.model.overlay = Some(Overlay::Picker(picker));
+            }
             return Ok(app);
         }
     };
@@ -194,8 +187,7 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
 fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError> {
     model.guest = true;
     for choice in &mut model.choices {
-        let may = choice.scenario.as_ref().map(guest::allowed);
-        if let Ok(Err(why)) = may {
+        if let Ok(Err(why)) = choice.scenario.as_ref().map(guest::allowed) {
             if sources.contains(&choice.name) {
                 return Err(Problem::new("", why).of(&choice.name).into());
             }
@@ -224,8 +216,7 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
         works.push(Work::fresh(source, &scenario));
     }
     let work = works[0].clone();
-    let selected = strength(&work.scenario);
-    let form = ScenarioForm { selected, ..ScenarioForm::default() };
+    let form = ScenarioForm { selected: strength(&work.scenario), ..ScenarioForm::default() };
     let mut model = AppModel { work, form, choices, look, idle: true, ..AppModel::default() };
     let mut screens: Vec<_> = SCREENS.iter().map(|about| (about.new)()).collect();
     for screen in &mut screens {

@@ -9,7 +9,6 @@ use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
 use crate::tui::{request::TaskQuestion, task::Task};
 
-/// Asks for a page for a browser.
 pub struct WritePage {
     /// What its file's name begins with.
     pub stem: String,

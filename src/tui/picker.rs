@@ -33,11 +33,9 @@ pub fn choices() -> Vec<Choice> {
     }
     if own > MAX_OWN {
         let unlisted = "presets of your own; `contrecoup presets` lists all";
-        choices.push(Choice {
-            name: format!("({} more)", own - MAX_OWN),
-            scenario: Err(format!("the app lists {MAX_OWN} {unlisted}")),
-            origin: "own",
-        });
+        let scenario = Err(format!("the app lists {MAX_OWN} {unlisted}"));
+        let name = format!("({} more)", own - MAX_OWN);
+        choices.push(Choice { name, scenario, origin: "own" });
     }
     choices
 }
@@ -99,8 +97,7 @@ impl Picker {
 
     /// Moves the cursor by so many rows.
     pub fn move_cursor(&mut self, by: isize) {
-        let last = self.shown.len().saturating_sub(1);
-        self.row = self.row.saturating_add_signed(by).min(last);
+        self.row = self.row.saturating_add_signed(by).min(self.shown.len().saturating_sub(1));
     }
 }
 
@@ -123,16 +120,13 @@ fn text(choice: &Choice) -> String {
 /// How near a text is to all words that are typed; none where it has nothing like one of them.
 fn nearness(words: &[&str], text: &str) -> Option<f64> {
     let text = text.to_lowercase();
-    words
-        .iter()
-        .map(|word| {
-            let word = word.to_lowercase();
-            let parts = text.split([' ', '-']);
-            let best = parts.map(|part| likeness(&word, part)).fold(0.0, f64::max);
-            let score = if text.contains(&word) { 1.0 + best } else { best };
-            (score > ALIKE).then_some(score)
-        })
-        .sum()
+    let near = |word: &&str| {
+        let word = word.to_lowercase();
+        let best = text.split([' ', '-']).map(|part| likeness(&word, part)).fold(0.0, f64::max);
+        let score = if text.contains(&word) { 1.0 + best } else { best };
+        (score > ALIKE).then_some(score)
+    };
+    words.iter().map(near).sum()
 }
 
 /// Mass, size and speed of what flies; of a force the force, nothing and how long it acts.
@@ -158,8 +152,7 @@ mod tests {
         let choices = choices();
         let mut picker = Picker { input: TextLine::of(text.to_owned()), ..Picker::default() };
         picker.search(&choices);
-        let name = |at: &usize| choices[*at].name.clone();
-        picker.shown.iter().map(name).collect()
+        picker.shown.iter().map(|at| choices[*at].name.clone()).collect()
     }
 
     #[test]

@@ -37,19 +37,13 @@ pub enum SaveError {
 
 /// Whether a preset may be called this, or why not.
 pub(crate) fn check_name(name: &str) -> Result<(), SaveError> {
+    let end = Path::new(name).extension();
+    let is_path = end.is_some_and(|end| end.eq_ignore_ascii_case("ron"));
     match name.chars().find(|c| !is_allowed(*c)) {
-        Some(c) if is_unprintable(c) => return Err(SaveError::Name),
-        Some(c) => return Err(SaveError::Letter(c.to_string())),
-        None => {}
-    }
-    let ends_in_ron = Path::new(name).extension();
-    if name.starts_with('-') || ends_in_ron.is_some_and(|end| end.eq_ignore_ascii_case("ron")) {
-        return Err(SaveError::CommandLine);
-    }
-    if is_plain(name) && name.trim() == name && name.len() <= LONGEST {
-        Ok(())
-    } else {
-        Err(SaveError::Name)
+        Some(c) if !is_unprintable(c) => Err(SaveError::Letter(c.to_string())),
+        None if name.starts_with('-') || is_path => Err(SaveError::CommandLine),
+        None if is_plain(name) && name.trim() == name && name.len() <= LONGEST => Ok(()),
+        _ => Err(SaveError::Name),
     }
 }
 
@@ -138,8 +132,7 @@ pub(crate) fn remove(folder: &Path, name: &str) -> Result<String, SaveError> {
     Ok(text)
 }
 
-/// Writes a page as `stem.html` into `folder`, or with a number behind where that is taken; gives
-/// the path.
+/// Writes `stem.html` into `folder`, with a number behind where that is taken; gives the path.
 pub(crate) fn page(folder: &Path, stem: &str, text: &[u8]) -> Result<PathBuf, SaveError> {
     let file = |name: &str| folder.join(format!("{name}.html"));
     loop {
@@ -177,8 +170,7 @@ mod tests {
         let target = elsewhere.path().join("own.ron");
         fs::write(&target, "old").unwrap();
         std::os::unix::fs::symlink(&target, &link).unwrap();
-        let taken = save(presets.path(), "a", "new", false);
-        assert_eq!(taken, Err(SaveError::Exists("a".to_owned())));
+        assert_eq!(save(presets.path(), "a", "new", false), Err(SaveError::Exists("a".to_owned())));
         save(presets.path(), "a", "new", true).unwrap();
         assert!(link.symlink_metadata().unwrap().is_symlink());
         assert_eq!(fs::read_to_string(&target).unwrap(), "new");
@@ -217,8 +209,7 @@ mod tests {
         for name in ["else", "my blow"] {
             assert!(remove(folder.path(), name).is_ok_and(|text| !text.is_empty()));
         }
-        let gone = remove(folder.path(), "else");
-        assert!(matches!(gone, Err(SaveError::Kept(_))));
+        assert!(matches!(remove(folder.path(), "else"), Err(SaveError::Kept(_))));
         assert_eq!(names(folder.path()), [""; 0]);
     }
 
@@ -228,8 +219,7 @@ mod tests {
             assert_eq!(check_name(name), Err(SaveError::Name), "{name:?}");
         }
         for name in ["a/b", "a\\b", "c:x", "blöw"] {
-            let refused = check_name(name);
-            assert!(matches!(refused, Err(SaveError::Letter(_))), "{name:?}");
+            assert!(matches!(check_name(name), Err(SaveError::Letter(_))), "{name:?}");
         }
         assert_eq!(check_name(&"x".repeat(41)), Err(SaveError::Name));
         for name in ["my-blow_2.1", "my squash ball"] {

@@ -15,7 +15,6 @@ use crate::scenario::{Scenario, library::home, problem::ScenarioError, ron_text}
 use crate::tui::{app::App, screens::SCREENS, screens::screen::About};
 use crate::whole_file;
 
-/// Where the app was left.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SavedSession {
@@ -28,7 +27,6 @@ pub struct SavedSession {
 }
 
 impl SavedSession {
-    /// Where the app is.
     pub fn of(app: &App) -> Self {
         let source = &app.model.work.source;
         // A file may be asked for from another folder next time.
@@ -55,9 +53,7 @@ fn path() -> Option<PathBuf> {
 
 /// Where the app was left, if it was ever left, and what was made of what was worked on.
 pub fn read() -> Result<Option<(SavedSession, Option<Scenario>)>, ScenarioError> {
-    let Some(path) = path().filter(|path| path.symlink_metadata().is_ok()) else {
-        return Ok(None);
-    };
+    let Some(path) = path().filter(|path| path.symlink_metadata().is_ok()) else { return Ok(None) };
     let session: SavedSession = ron_text::read(&read_text(&path)?, "")?;
     let changed = session.changed.as_ref().map(|text| parse(text, "changed")).transpose()?;
     Ok(Some((session, changed)))
@@ -77,7 +73,6 @@ pub fn can_be_kept() -> bool {
     place().is_ok_and(|path| whole_file::beside(&whole_file::resolved(&path)).is_ok())
 }
 
-/// Keeps where the app is left.
 pub fn write(session: &SavedSession) -> io::Result<()> {
     let text = to_string_pretty(session, PrettyConfig::default()).map_err(io::Error::other)?;
     whole_file::write(&place()?, |file| writeln!(file, "{text}"))

@@ -146,12 +146,8 @@ fn spacing(scenario: &Scenario, frames: f64) -> Spacing {
         return Spacing::even(window / frames);
     }
     let early = (0.5 * frames).round();
-    Spacing {
-        early: early as u32,
-        early_every: lively / early,
-        every: (window - lively) / (frames - early),
-        doubles: false,
-    }
+    let (early_every, every) = (lively / early, (window - lively) / (frames - early));
+    Spacing { early: early as u32, early_every, every, doubles: false }
 }
 
 /// Everything that the screens show; fewer frames of a mesh too fine to keep them all.

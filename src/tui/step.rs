@@ -1,6 +1,5 @@
 //! A step of a value, of a cursor or of time: up or down, small or large.
 
-/// A step up or down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
     /// Up, not down.
@@ -10,13 +9,9 @@ pub struct Step {
 }
 
 impl Step {
-    /// A small step down.
     pub const LESS: Self = Self { up: false, coarse: false };
-    /// A small step up.
     pub const MORE: Self = Self { up: true, coarse: false };
-    /// A large step down.
     pub const MUCH_LESS: Self = Self { up: false, coarse: true };
-    /// A large step up.
     pub const MUCH_MORE: Self = Self { up: true, coarse: true };
 
     /// A step of this size in the other direction.

@@ -43,17 +43,14 @@ impl<Q: TaskQuestion> Task<Q> {
     pub fn ask(&mut self, question: Q, out: &mut Outbox) {
         out.ticket += 1;
         let question = Arc::new(question);
-        let request = Request::new(out.ticket, question.clone());
-        out.effects.push(Effect::Start(request));
+        out.effects.push(Effect::Start(Request::new(out.ticket, question.clone())));
         self.complaint = None;
         self.job = Some(Job { ticket: out.ticket, question, pace: None, ending: false });
     }
 
     /// Gives up what is under way and says why; whether anything was.
     pub fn stop(&mut self, why: Option<&str>, out: &mut Outbox) -> bool {
-        let Some(job) = self.job.take() else {
-            return false;
-        };
+        let Some(job) = self.job.take() else { return false };
         out.effects.push(Effect::Stop(job.ticket));
         self.complaint = why.map(|why| (job.question, why.to_owned()));
         true
@@ -61,9 +58,7 @@ impl<Q: TaskQuestion> Task<Q> {
 
     /// Has what is under way end with what it has; whether anything is.
     pub fn end(&mut self, out: &mut Outbox) -> bool {
-        let Some(job) = &mut self.job else {
-            return false;
-        };
+        let Some(job) = &mut self.job else { return false };
         job.ending = true;
         out.effects.push(Effect::Stop(job.ticket));
         true
@@ -98,7 +93,6 @@ impl<Q: TaskQuestion> Task<Q> {
 
     /// How far what is under way is, in words: of so many, where it is counted.
     pub fn pace(&self, of: Option<usize>) -> Option<String> {
-        let job = self.job.as_ref()?;
-        Some(job.pace.unwrap_or_default().words(of))
+        Some(self.job.as_ref()?.pace.unwrap_or_default().words(of))
     }
 }

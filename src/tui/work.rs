@@ -2,7 +2,6 @@
 
 use crate::scenario::Scenario;
 
-/// What is being worked on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Work {
     /// What the form shows, edits and all.
@@ -16,11 +15,8 @@ pub struct Work {
 impl Work {
     /// Work on a scenario as it was found.
     pub fn fresh(source: &str, scenario: &Scenario) -> Self {
-        Self {
-            scenario: scenario.clone(),
-            source: source.to_owned(),
-            original: Some(scenario.clone()),
-        }
+        let original = Some(scenario.clone());
+        Self { scenario: scenario.clone(), source: source.to_owned(), original }
     }
 
     /// What it is called in short: of a file's path the last part.
@@ -46,6 +42,5 @@ impl Work {
 
 /// The name of a preset, or the last part of a file's path.
 pub fn brief(source: &str) -> &str {
-    let mut parts = source.rsplit(['/', '\\']);
-    parts.find(|part| !part.is_empty()).unwrap_or("")
+    source.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("")
 }

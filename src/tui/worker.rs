@@ -81,26 +81,18 @@ impl Drop for Worker {
     }
 }
 
-/// How much nicer such a thread is: it gets a tenth of a core that somebody else wants.
-#[cfg(target_os = "linux")]
-const NICE: i32 = 10;
-
-/// Lowers the priority of the calling thread, for good.
-#[cfg(target_os = "linux")]
+/// Leaves the calling thread, for good, a tenth of a core that somebody else wants: on Linux alone,
+/// elsewhere the priority is that of the whole process.
 fn give_way() {
-    // Linux keeps a priority for each thread; where it refuses, the work is only less polite.
-    let _ = rustix::process::nice(NICE);
+    // Where it is refused, the work is only less polite.
+    #[cfg(target_os = "linux")]
+    let _ = rustix::process::nice(10);
 }
-
-/// Elsewhere the priority is that of the whole process.
-#[cfg(not(target_os = "linux"))]
-fn give_way() {}
 
 /// As many threads that give way to all other work as there are cores, begun when first asked for.
 pub fn idle_pool() -> &'static ThreadPool {
     static POOL: LazyLock<ThreadPool> = LazyLock::new(|| {
-        let pool = ThreadPoolBuilder::new().start_handler(|_| give_way());
-        pool.build().expect("threads")
+        ThreadPoolBuilder::new().start_handler(|_| give_way()).build().expect("threads")
     });
     &POOL
 }
@@ -227,8 +219,7 @@ mod tests {
             submit(&worker, 5, long());
             // That is another worker's.
             worker.cancel(9);
-            let first = reports.recv_timeout(PATIENCE).unwrap();
-            assert!(matches!(first.news, News::Share(..)));
+            assert!(matches!(reports.recv_timeout(PATIENCE).unwrap().news, News::Share(..)));
             if limit.is_none() {
                 worker.cancel(5);
             }

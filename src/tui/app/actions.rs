@@ -40,7 +40,6 @@ pub(crate) fn quit(app: &mut App) {
     }
 }
 
-/// Shows or hides the keys.
 pub(crate) fn help(app: &mut App) {
     let model = &mut app.model;
     let is_shown = matches!(model.overlay, Some(Overlay::Help(_)));
@@ -71,9 +70,7 @@ pub(crate) fn accept(app: &mut App) {
     let model = &mut app.model;
     match &model.overlay {
         Some(Overlay::Picker(picker)) => {
-            let Some(at) = picker.shown.get(picker.row).copied() else {
-                return;
-            };
+            let Some(at) = picker.shown.get(picker.row).copied() else { return };
             let choice = &model.choices[at];
             let stronger = picker.typed().1.map(|typed| with_strength(model, choice, typed));
             let stronger = match stronger.transpose() {
@@ -107,8 +104,7 @@ pub(crate) fn accept(app: &mut App) {
         Some(Overlay::Threshold(_)) => threshold::accept(model),
         Some(Overlay::Change(what)) => {
             let name = what.name.clone();
-            let outcome = what.changed();
-            match outcome.and_then(|new| model.allows(&new).map(|()| new)) {
+            match what.changed().and_then(|new| model.allows(&new).map(|()| new)) {
                 Ok(scenario) => {
                     model.overlay = None;
                     app.screens[app.screen].take_changed(model, &name, &scenario);
@@ -121,9 +117,7 @@ pub(crate) fn accept(app: &mut App) {
             }
         }
         Some(_) => {}
-        None => {
-            typing::accept(model);
-        }
+        None => _ = typing::accept(model),
     }
 }
 
@@ -150,9 +144,7 @@ pub(crate) fn cancel(app: &mut App) {
 /// Answers yes or no to what is asked.
 pub(crate) fn reply(app: &mut App, yes: bool) {
     let model = &mut app.model;
-    let Some(Overlay::Prompt(question)) = model.overlay.take() else {
-        return;
-    };
+    let Some(Overlay::Prompt(question)) = model.overlay.take() else { return };
     match question {
         Prompt::Adopt(_, scenario) if yes => edit::adopt(model, *scenario),
         Prompt::Page(stem, text) if yes => model.out.effects.push(Effect::Page(stem, text)),
@@ -168,7 +160,6 @@ pub(crate) fn reply(app: &mut App, yes: bool) {
     }
 }
 
-/// Has a page written of what is on show.
 pub(crate) fn write_page(app: &mut App) {
     let answers = app.screens[app.screen].answers(&app.model);
     match take_away::page(&app.model, &answers) {
@@ -177,7 +168,6 @@ pub(crate) fn write_page(app: &mut App) {
     }
 }
 
-/// Copies a summary of what is on show.
 pub(crate) fn copy_summary(app: &mut App) {
     let answers = app.screens[app.screen].answers(&app.model);
     match take_away::summary(&app.model, &answers) {
@@ -208,13 +198,11 @@ pub(crate) fn jump_to_peak(app: &mut App, forward: bool) {
     let mut clock = app.model.clock;
     if let Some((answer, _)) = app.timed() {
         let courses = app.on_show().courses(&app.model);
-        let on_show = |of| courses.is_empty() || courses.contains(&Trace::Of(of));
-        clock.jump(answer, forward, on_show);
+        clock.jump(answer, forward, |of| courses.is_empty() || courses.contains(&Trace::Of(of)));
     }
     app.model.clock = clock;
 }
 
-/// Plays or pauses.
 pub(crate) fn play(app: &mut App) {
     // Where nobody has chosen a moment yet, it begins at the beginning.
     let is_chosen = app.model.clock.moment != Moment::Deepest;

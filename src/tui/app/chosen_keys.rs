@@ -10,10 +10,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::tui::{app::tables::open_to_choice, keys::Key, keys::chosen::Keys, keys::press::Press};
 
 /// What a config file calls them, in the same order.
-static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
-    let names = open_to_choice().map(|key| key.name.to_lowercase());
-    names.map(|name| &*name.leak()).collect()
-});
+static NAMES: LazyLock<Vec<&'static str>> =
+    LazyLock::new(|| open_to_choice().map(|key| &*key.name.to_lowercase().leak()).collect());
 
 /// What a config file calls so.
 pub fn named(name: &str) -> Option<&'static Key> {
@@ -34,7 +32,6 @@ impl<'de> Deserialize<'de> for Keys {
     }
 }
 
-/// Reads keys by the names of what they do.
 struct ByName;
 
 impl<'de> Visitor<'de> for ByName {

@@ -26,8 +26,7 @@ pub fn draw(app: &App, buffer: &mut Buffer) {
         too_small(model, sheet);
     } else {
         title(app, sheet);
-        let keys = tables::footer_keys(app);
-        footer::draw(model, keys, &mut sheet.row(area.height - 1));
+        footer::draw(model, tables::footer_keys(app), &mut sheet.row(area.height - 1));
         let body = &mut sheet.at(body(area));
         app.on_show().draw(model, body);
         match model.overlay {
@@ -61,16 +60,14 @@ fn too_small(model: &AppModel, sheet: &mut Sheet) {
     let top = area.height.saturating_sub(lines.len() as u16) / 2;
     for (i, line) in lines.iter().enumerate() {
         let left = area.width.saturating_sub(text::width(line)) / 2;
-        let style = ratatui::style::Style::new();
-        sheet.put((left, top + i as u16), line, style);
+        sheet.put((left, top + i as u16), line, sheet.theme.text());
     }
 }
 
 /// Where the names of the screens begin in the title, and how they are written.
 pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
     // A long name gives way before the screens do.
-    let full = text::width(&app.model.title());
-    let name = full.min(LONGEST_NAME) + 2;
+    let name = text::width(&app.model.title()).min(LONGEST_NAME) + 2;
     // Where room is short the program's name gives way, then the question of the screen on show,
     // then the space between the names of the screens, then those of the others.
     let label = |place: usize, screen: &About, (form, asks): (Form, bool)| {
@@ -96,8 +93,7 @@ pub fn tabs(app: &App, columns: u16) -> Vec<(u16, String)> {
         ((Form::Brief, true), name),
     ];
     let fits = |(form, name): &((Form, bool), u16)| length(*form) + name <= columns;
-    let first = candidates.into_iter().find(fits);
-    let form = first.map_or((Form::Brief, false), |(form, _)| form);
+    let form = candidates.into_iter().find(fits).map_or((Form::Brief, false), |(form, _)| form);
     let named = columns.saturating_sub(length((Form::Wide, true)) + name) > text::width(PROGRAM);
     let mut x = match (form.0, named) {
         (_, true) => 1 + text::width(PROGRAM),
@@ -118,8 +114,7 @@ pub fn tab_at(app: &App, (width, height): (u16, u16), (x, y): (u16, u16)) -> Opt
     if y > 0 || width < SMALLEST.0 || height < SMALLEST.1 {
         return None;
     }
-    let tabs = tabs(app, width);
-    tabs.iter().position(|(at, label)| (*at..at + text::width(label)).contains(&x))
+    tabs(app, width).iter().position(|(at, label)| (*at..at + text::width(label)).contains(&x))
 }
 
 /// How the names of the screens are written.
@@ -149,8 +144,7 @@ fn title(app: &App, sheet: &mut Sheet) {
         x = sheet.at(row).put((at, 0), &label, style);
     }
     let room = usize::from(area.width.saturating_sub(x + 1 + margin));
-    // The mark of an edit is worth more than the name, of which parts are worth nothing while it
-    // is short.
+    // The mark of an edit is worth more than the name, parts of a short one are worth nothing.
     let mark = if model.is_edited() { "*" } else { "" };
     let short = format!("{} {mark}", model.work.name());
     let fits = |name: &&String| usize::from(text::width(name)) <= room;

@@ -22,8 +22,7 @@ fn lines(app: &App, room: usize) -> Vec<(String, String)> {
     for list in own.iter().cloned().chain(rest) {
         lines.push(heading(list.title.to_owned()));
         for key in list.keys {
-            let names = key.names(&app.model.keys).join(" ");
-            let keys = wrapped(&names, usize::from(KEYS) - 3);
+            let keys = wrapped(&key.names(&app.model.keys).join(" "), usize::from(KEYS) - 3);
             let words = wrapped(key.help, room - usize::from(KEYS));
             for row in 0..keys.len().max(words.len()) {
                 let [key, word] = [&keys, &words].map(|of| of.get(row).map_or("", String::as_str));

@@ -243,13 +243,11 @@ fn everywhere() -> [KeyList; 3] {
 
 /// The keys of all panes.
 pub(crate) fn of_panes(screen: &dyn Screen) -> Vec<KeyList> {
-    let panes = screen.panes().into_iter();
-    panes.flat_map(|pane| pane.keys).collect()
+    screen.panes().into_iter().flat_map(|pane| pane.keys).collect()
 }
 
 fn of_screens() -> Vec<KeyList> {
-    let screens = SCREENS.iter().map(|about| (about.new)());
-    screens.flat_map(|screen| of_panes(screen.as_ref())).collect()
+    SCREENS.iter().flat_map(|about| of_panes((about.new)().as_ref())).collect()
 }
 
 /// Every list, in the order of the help.
@@ -262,8 +260,7 @@ pub fn all() -> Vec<KeyList> {
 
 /// Everything that may have other keys.
 pub fn open_to_choice() -> impl Iterator<Item = &'static Key> {
-    let keys = everywhere().into_iter().flat_map(|list| list.keys);
-    keys.filter(|key| !key.name.is_empty())
+    everywhere().into_iter().flat_map(|list| list.keys).filter(|key| !key.name.is_empty())
 }
 
 /// The first of the chosen keys that two things would share, as [`Keys::clash`] gives it.

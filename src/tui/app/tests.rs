@@ -57,7 +57,6 @@ fn app() -> App {
     app
 }
 
-/// The row of a field.
 fn row(path: &str) -> FormRow {
     FormRow::Field(fields::find(path).unwrap())
 }
@@ -108,12 +107,10 @@ fn force(app: &App) -> f64 {
     pulse(app).force_n
 }
 
-/// The value that is being typed.
 fn typing(app: &App) -> &Typing {
     app.model.form.typing.as_ref().unwrap()
 }
 
-/// What is wrong with it.
 fn wrong(app: &App) -> &str {
     typing(app).error.as_ref().unwrap()
 }
@@ -142,8 +139,7 @@ fn simulated(app: &App) -> Result<Answer, Refusal> {
 }
 
 fn answer(app: &mut App, ticket: Ticket) {
-    let answer = simulated(app);
-    done::<Simulate>(app, ticket, answer);
+    done::<Simulate>(app, ticket, simulated(app));
 }
 
 /// At the force of the first preset, whose answer is there.
@@ -157,7 +153,6 @@ fn answer_running(app: &mut App) {
     answer(app, running(app));
 }
 
-/// The list in front of the screen.
 fn list(app: &App) -> Option<&Picker> {
     match &app.model.overlay {
         Some(Overlay::Picker(picker)) => Some(picker),
@@ -165,7 +160,6 @@ fn list(app: &App) -> Option<&Picker> {
     }
 }
 
-/// The names of what is marked for comparison.
 fn marked(app: &App) -> Vec<&str> {
     app.state::<Comparison>().entries.iter().map(|entry| &entry.name[..]).collect()
 }
@@ -216,8 +210,7 @@ fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
     let effects = press(&mut app, "\x1b");
     assert!(effects[0] == Effect::Stop(ticket) && asked::<Simulate>(&effects).is_none());
     assert_eq!((app.model.work.name(), app.model.stale()), ("paper-300n", None));
-    let shown = app.model.shown.as_ref().unwrap();
-    assert_eq!(shown.scenario, app.model.work.scenario);
+    assert_eq!(app.model.shown.as_ref().unwrap().scenario, app.model.work.scenario);
     assert!(asked::<Simulate>(&press(&mut app, "u")).is_some());
     assert_eq!(app.model.work.name(), "tennis-ball");
 }
@@ -225,8 +218,7 @@ fn escape_while_a_preset_is_computed_leaves_form_and_answer_of_one_scene() {
 #[test]
 fn undo_and_redo_travel_through_edits_and_presets() {
     let mut app = app();
-    press(&mut app, "\r\x15450\r");
-    press(&mut app, "kkkk");
+    press(&mut app, "\r\x15450\rkkkk");
     let first = app.model.work.source.clone();
     press(&mut app, "l");
     assert_ne!(app.model.work.source, first);
@@ -269,8 +261,7 @@ fn lists_of_presets_have_a_first_and_a_last() {
     assert_eq!(row(&app), last - 10);
     press(&mut app, "\x1b[H\x1b[6~");
     assert_eq!(row(&app), 10);
-    press(&mut app, "\x1b");
-    press(&mut app, "\x1b4\x1b[F");
+    press(&mut app, "\x1b\x1b4\x1b[F");
     assert_eq!(app.state::<Comparison>().row, last + 1);
     press(&mut app, "\x1b[H");
     assert_eq!(app.state::<Comparison>().row, 0);
@@ -329,8 +320,7 @@ fn marks_are_simulated_one_after_another() {
     // Mesh errors and inputs follow once all are there.
     let effects = done::<SimulateMarked>(&mut app, second, answer);
     assert!(asked::<CompleteMarked>(&effects).is_some());
-    let mut entries = app.state::<Comparison>().entries.iter();
-    assert!(entries.all(|entry| entry.answer().is_some()));
+    assert!(app.state::<Comparison>().entries.iter().all(|entry| entry.answer().is_some()));
 }
 
 #[test]
@@ -383,8 +373,7 @@ fn a_file_is_called_by_its_name_and_leaves_room_for_the_screens() {
     let mut app = app();
     app.model.work.source = format!("/some/where/{}.ron", "x".repeat(90));
     assert!(app.model.title().starts_with("xxx"));
-    let tabs = tabs(&app, 100);
-    assert!(tabs.iter().all(|(_, label)| label.len() > 3));
+    assert!(tabs(&app, 100).iter().all(|(_, label)| label.len() > 3));
     app.model.work.source = "a/b/".to_owned();
     assert_eq!(app.model.title(), "b");
 }
@@ -459,8 +448,7 @@ fn only_a_preset_of_ones_own_is_renamed_and_removed_and_an_undo_brings_it_back()
     assert!(!app.model.is_edited());
     // No leaves it, and leads back to the list.
     assert_eq!(press(&mut app, &format!("{delete}n")), []);
-    let effects = press(&mut app, &format!("{delete}y"));
-    assert_eq!(effects, [Effect::Remove(hers.clone())]);
+    assert_eq!(press(&mut app, &format!("{delete}y")), [Effect::Remove(hers.clone())]);
     update(&mut app, Message::Removed(hers.clone(), Ok("its text".to_owned())));
     assert!(app.model.choices.iter().all(|choice| choice.name != hers));
     // What it held is still worked on under its name, and is not lost without a question.

@@ -85,8 +85,7 @@ fn tick(app: &mut App, now: Duration) {
     let passed = now.saturating_sub(app.model.now).as_secs_f64();
     app.model.now = now;
     if let Some((_, window)) = app.timed() {
-        let time = app.time();
-        app.model.clock.advance(passed, time, window);
+        app.model.clock.advance(passed, app.time(), window);
     }
 }
 
@@ -94,8 +93,7 @@ fn tick(app: &mut App, now: Duration) {
 fn key(app: &mut App, event: KeyEvent) {
     app.model.notice = None;
     if let Some(tables) = tables::in_front(&app.model) {
-        let keys = &app.model.keys;
-        match tables.iter().find_map(|table| table.find(keys, event)) {
+        match tables.iter().find_map(|table| table.find(&app.model.keys, event)) {
             Some(binding) => run(app, binding.act),
             None => match shown_while_typing(&app.model, event) {
                 Some(place) if typing::accept(&mut app.model) => {

@@ -56,8 +56,7 @@ pub(crate) fn adopt(model: &mut AppModel, scenario: Scenario) {
         _ => "automatic integrator and step".to_owned(),
     };
     let notice = format!("computed with level {level}, {how} now; u takes it back");
-    let work = model.work.with(scenario);
-    change(model, work, "");
+    change(model, model.work.with(scenario), "");
     if model.notice.is_none() {
         model.notice = Some(notice);
     }

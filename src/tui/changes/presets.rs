@@ -15,9 +15,7 @@ pub(crate) fn next_preset(model: &mut AppModel, forward: bool) {
 }
 
 pub(crate) fn open(model: &mut AppModel, index: usize) {
-    let Some(choice) = model.choices.get(index) else {
-        return;
-    };
+    let Some(choice) = model.choices.get(index) else { return };
     match &choice.scenario {
         Ok(scenario) => {
             let work = Work::fresh(&choice.name, scenario);
@@ -32,8 +30,7 @@ pub(crate) fn open(model: &mut AppModel, index: usize) {
 }
 
 pub(crate) fn open_picker(model: &mut AppModel) {
-    let here = model.work.source.clone();
-    open_picker_at(model, &here);
+    open_picker_at(model, &model.work.source.clone());
 }
 
 /// Opens the list with the cursor on the preset of this name.
@@ -53,9 +50,7 @@ pub(crate) fn replace_choices(model: &mut AppModel, choices: Vec<Choice>) {
 
 /// The name of the preset with the cursor, if it is the person's own; else says that it stays.
 fn own_chosen(model: &mut AppModel) -> Option<String> {
-    let Some(Overlay::Picker(picker)) = &model.overlay else {
-        return None;
-    };
+    let Some(Overlay::Picker(picker)) = &model.overlay else { return None };
     let choice = picker.chosen(&model.choices)?;
     let name = choice.name.clone();
     if choice.origin == "own" && check_name(&name).is_ok() {

@@ -37,17 +37,13 @@ pub(crate) fn refresh_requests(model: &mut AppModel, room: u32, screens_busy: bo
         model.ensemble.task.stop(None, &mut model.out);
     }
     if wanted {
-        let question = RunSamples { scenario, count, known, idle };
-        model.ensemble.task.ask(question, &mut model.out);
+        model.ensemble.task.ask(RunSamples { scenario, count, known, idle }, &mut model.out);
     }
 }
 
-/// Keeps what has come.
 pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     let samples = &mut model.ensemble;
-    let Some((asked, Some(ensemble))) = samples.task.take_report(report) else {
-        return;
-    };
+    let Some((asked, Some(ensemble))) = samples.task.take_report(report) else { return };
     if samples.task.job.is_none() && ensemble.stopped() {
         let done = ensemble.samples.len();
         let text = format!("stopped after {done} of {}", ensemble.asked);

@@ -37,8 +37,7 @@ pub(crate) fn cancel(model: &mut AppModel) {
 
 /// Simulates the form.
 pub(crate) fn start(model: &mut AppModel) {
-    let scenario = model.work.scenario.clone();
-    model.run.ask(Simulate(scenario), &mut model.out);
+    model.run.ask(Simulate(model.work.scenario.clone()), &mut model.out);
 }
 
 /// What the workers say of the answer and of what completes it.
@@ -81,8 +80,7 @@ pub(crate) fn incomplete(model: &AppModel) -> Option<&ShownAnswer> {
 
 /// Completes the answer on show, and no other, while nothing is computed that somebody asked for.
 pub(crate) fn refresh_requests(model: &mut AppModel, screens_busy: bool) {
-    let free = model.idle && !model.is_busy() && !screens_busy;
-    let wanted = incomplete(model).filter(|_| free);
+    let wanted = incomplete(model).filter(|_| model.idle && !model.is_busy() && !screens_busy);
     let under_way = model.rest.job.as_ref().map(|job| &job.question.scenario);
     let right = match (under_way, wanted) {
         (Some(asked), Some(shown)) => key(asked) == key(&shown.scenario),

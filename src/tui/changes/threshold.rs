@@ -31,9 +31,7 @@ pub(crate) fn ask_otherwise(model: &mut AppModel, change: impl FnOnce(&mut Askin
 /// Looks for the crossings, or takes the one that was found into the form.
 pub(crate) fn accept(model: &mut AppModel) {
     let scenario = model.work.scenario.clone();
-    let Some(Overlay::Threshold(asking)) = &mut model.overlay else {
-        return;
-    };
+    let Some(Overlay::Threshold(asking)) = &mut model.overlay else { return };
     if asking.task.job.is_some() {
         return;
     }
@@ -68,11 +66,8 @@ pub(crate) fn stop(model: &mut AppModel) -> bool {
     }
 }
 
-/// Takes in what was found.
 pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
-    let Some(Overlay::Threshold(asking)) = &mut model.overlay else {
-        return;
-    };
+    let Some(Overlay::Threshold(asking)) = &mut model.overlay else { return };
     if let Some((asked, Some(found))) = asking.task.take_report(report) {
         // The nearest to the present value is offered first.
         let present = asked.0.present();

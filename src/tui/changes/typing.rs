@@ -11,21 +11,14 @@ use crate::tui::{overlay::Overlay, save::check_name};
 
 /// Begins to type into the row with the cursor, with what is there or with nothing.
 pub(crate) fn begin(model: &mut AppModel, empty: bool) {
-    let Some(field) = model.form.selected.field() else {
-        return;
-    };
+    let Some(field) = model.form.selected.field() else { return };
     model.form.complaint = None;
     let text = typed_text(field, &model.work.scenario).unwrap_or_default();
-    model.form.typing = Some(Typing {
-        field,
-        input: TextLine::of(if empty { String::new() } else { text }),
-        fresh: empty,
-        error: None,
-    });
+    let input = TextLine::of(if empty { String::new() } else { text });
+    model.form.typing = Some(Typing { field, input, fresh: empty, error: None });
 }
 
-/// A key that is no binding. A letter that can be no part of a number is refused: it was meant as
-/// a key.
+/// A key that is no binding. A letter that no number has is refused: it was meant as a key.
 pub(crate) fn key(model: &mut AppModel, event: KeyEvent) {
     let (mut event, mut doubt) = (event, false);
     let typing = model.form.typing.as_ref().filter(|_| model.overlay.is_none());
@@ -78,9 +71,7 @@ pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)
             threshold::ask_otherwise(model, |asking| asking.retype(change));
         }
         _ => {
-            let Some(mut typing) = model.form.typing.take() else {
-                return;
-            };
+            let Some(mut typing) = model.form.typing.take() else { return };
             change(&mut typing.input);
             let mut known = typing.input.value();
             if matches!(typing.field.kind, Kind::Number(..)) {
@@ -100,9 +91,7 @@ fn meant(model: &AppModel, field: &Field, text: &str) -> Result<Scenario, String
 
 /// Ends typing with what was typed, unless it makes no sense; whether nothing is typed any more.
 pub(crate) fn accept(model: &mut AppModel) -> bool {
-    let Some(mut typing) = model.form.typing.take() else {
-        return true;
-    };
+    let Some(mut typing) = model.form.typing.take() else { return true };
     match meant(model, typing.field, typing.input.value()) {
         Ok(scenario) => change(model, model.work.with(scenario), ""),
         Err(why) => {

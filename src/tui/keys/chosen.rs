@@ -42,8 +42,7 @@ impl Keys {
         self.0.iter().find_map(|(name, presses)| {
             let mut keys = everywhere.iter().flat_map(|list| &list.keys);
             let usual = keys.find(|key| key.name == *name)?;
-            let mut new = presses.iter().filter(|p| !usual.presses.contains(p));
-            new.find_map(|press| {
+            presses.iter().filter(|p| !usual.presses.contains(p)).find_map(|press| {
                 // A digit is typed where a number is wanted; there Alt and F keys do its work.
                 let typed = |list: &&KeyList| list.keys.iter().any(|key| key.begins_value);
                 let own = panes.iter().filter(|list| !typed(list));

@@ -184,12 +184,9 @@ impl EventLoop {
     fn patience(&self) -> Duration {
         let escape = self.escape_since.map(|since| since + self.parser.patience());
         let guest = self.settings.guest_limit.map(|limit| self.last_key + limit);
-        let frame = if self.dirty || self.app.model.clock.playing {
-            // None comes before all others.
-            self.pacer.wake_at().max(self.next_frame())
-        } else {
-            None
-        };
+        let changes = self.dirty || self.app.model.clock.playing;
+        // None comes before all others.
+        let frame = self.pacer.wake_at().max(self.next_frame()).filter(|_| changes);
         let wake = [escape, guest, frame].into_iter().flatten().min();
         let left = |time: Instant| time.saturating_duration_since(Instant::now());
         wake.map_or(Duration::from_secs(3600), left)

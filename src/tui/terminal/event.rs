@@ -4,7 +4,6 @@ use std::sync::atomic::{AtomicI32, Ordering};
 
 use crate::tui::{app::update::Message, keys::press::SUSPEND, terminal::input::TerminalInput};
 
-/// Something that came from outside.
 pub(super) enum Event {
     /// What was typed, and replies of the terminal.
     #[cfg_attr(windows, expect(dead_code, reason = "a console gives keys, not bytes"))]
@@ -25,7 +24,6 @@ pub(super) enum Event {
 /// The exit code that the app must leave with, below 0 as long as it may stay.
 static LEAVING: AtomicI32 = AtomicI32::new(-1);
 
-/// The exit code that the app must leave with, if it must.
 pub(super) fn leaving() -> Option<u8> {
     u8::try_from(LEAVING.load(Ordering::Relaxed)).ok()
 }
@@ -36,8 +34,7 @@ impl Event {
         Self::end(129)
     }
 
-    /// The app must leave with this exit code, from now on: whoever still has much to do looks at
-    /// [`leaving`] meanwhile.
+    /// The app must leave with this code; whoever still has much to do looks at [`leaving`].
     pub(super) fn end(code: u8) -> Self {
         LEAVING.store(i32::from(code), Ordering::Relaxed);
         Self::End(code)

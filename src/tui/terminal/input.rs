@@ -82,11 +82,9 @@ impl Parser {
         if let Some(pasted) = self.pasted.take() {
             return Some(paste(pasted));
         }
-        let held = std::mem::take(&mut self.held);
-        match held.as_slice() {
+        match std::mem::take(&mut self.held).as_slice() {
             [0x1b] => Some(plain(KeyCode::Esc)),
-            [0x1b, b'['] => Some(key(KeyCode::Char('['), KeyModifiers::ALT)),
-            [0x1b, b'O'] => Some(key(KeyCode::Char('O'), KeyModifiers::ALT)),
+            [0x1b, c @ (b'[' | b'O')] => Some(key(KeyCode::Char((*c).into()), KeyModifiers::ALT)),
             _ => None,
         }
     }
@@ -152,10 +150,7 @@ fn parse(held: &[u8]) -> Parsed {
             let (used, found) = character(rest)?;
             Some((used + 1, found.map(|(code, held)| key(code, held | KeyModifiers::ALT))))
         }
-        _ => {
-            let (used, found) = character(held)?;
-            Some((used, found.map(|(code, held)| key(code, held))))
-        }
+        _ => character(held).map(|(used, found)| (used, found.map(|(code, held)| key(code, held)))),
     }
 }
 
@@ -188,8 +183,7 @@ fn csi(rest: &[u8]) -> Parsed {
         return Some((end + 2, None));
     }
     if matches!(rest[0], 0x3c..=0x3f) {
-        let report = numbers.strip_prefix(b"<");
-        let event = report.and_then(|numbers| mouse_report(numbers, last));
+        let event = numbers.strip_prefix(b"<").and_then(|numbers| mouse_report(numbers, last));
         return Some((used, event.map(TerminalInput::Mouse)));
     }
     let text = String::from_utf8_lossy(numbers);
@@ -219,8 +213,7 @@ fn mouse_report(numbers: &[u8], last: u8) -> Option<MouseEvent> {
         (65, b'M') => MouseEventKind::ScrollDown,
         _ => return None,
     };
-    let shift = button & 0b100 != 0;
-    let modifiers = if shift { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
+    let modifiers = if button & 0b100 != 0 { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
     // Terminals count from one.
     let (column, row) = (column.checked_sub(1)?, row.checked_sub(1)?);
     Some(MouseEvent { kind, column, row, modifiers })
@@ -344,8 +337,7 @@ mod tests {
                 let reply = format!("\x1b]52;c;{}{end}x", "q".repeat(letters));
                 assert_eq!(keys(reply.as_bytes()), [plain(KeyCode::Char('x'))]);
             }
-            let reply = format!("\x1bP1+r{}{end}", "q".repeat(100_000));
-            assert_eq!(keys(reply.as_bytes()), []);
+            assert_eq!(keys(format!("\x1bP1+r{}{end}", "q".repeat(100_000)).as_bytes()), []);
         }
     }
 

@@ -142,8 +142,7 @@ impl Pacer {
         let (size, delay) = (mean(&|bytes, _| bytes), mean(&|_, seconds| seconds));
         let variance = mean(&|bytes, _| (bytes - size) * (bytes - size));
         if self.samples.len() >= FEWEST && variance > LEAST_DEVIATION * LEAST_DEVIATION {
-            let both = mean(&|bytes, seconds| (bytes - size) * (seconds - delay));
-            self.per_byte = both / variance;
+            self.per_byte = mean(&|bytes, seconds| (bytes - size) * (seconds - delay)) / variance;
         }
     }
 
@@ -312,8 +311,7 @@ mod tests {
             pacer.replied(start + Duration::from_millis(delay), column);
             assert_eq!(pacer.farewell(), Duration::from_millis(farewell));
         }
-        let mute = Pacer { silences: MAX_SILENCES, ..Pacer::default() };
-        assert_eq!(mute.farewell(), Duration::ZERO);
+        assert_eq!(Pacer { silences: MAX_SILENCES, ..Pacer::default() }.farewell(), Duration::ZERO);
     }
 
     #[test]

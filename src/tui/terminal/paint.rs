@@ -143,8 +143,7 @@ impl Pen {
 
 /// The code of a colour; `base` is 30 for text and 40 for what is behind it.
 fn colour(colour: Color, base: usize) -> String {
-    let place = SIXTEEN.iter().position(|(_, known)| *known == colour);
-    match (colour, place) {
+    match (colour, SIXTEEN.iter().position(|(_, known)| *known == colour)) {
         (_, Some(dark @ ..8)) => (base + dark).to_string(),
         (_, Some(bright)) => (base + 60 + bright - 8).to_string(),
         (Color::Indexed(n), _) => format!("{};5;{n}", base + 8),

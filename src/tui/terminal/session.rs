@@ -59,7 +59,6 @@ impl Session {
         system::listen_to_mouse(&self.out, listen)
     }
 
-    /// Gives the terminal back.
     pub fn leave(&self) {
         leave(&self.out);
     }

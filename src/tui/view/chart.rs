@@ -67,8 +67,7 @@ fn range(curves: &[TimeCurve], (from, to): Ends) -> Ends {
     range
 }
 
-/// Draws curves, a span of time across and a range of values upwards. A column of dots spans all
-/// values that fall into it, so no peak is lost.
+/// Draws curves over a span of time. A column of dots spans all its values, so no peak is lost.
 fn plot(raster: &mut Raster, curves: &[TimeCurve], span: Ends, range: Ends, filled: bool) {
     let ((start, end), (low, high)) = (span, range);
     let (columns, rows) = raster.size();
@@ -270,8 +269,7 @@ mod tests {
     fn a_chart_goes_from_the_first_to_the_last_that_happens() {
         let time: Vec<f64> = (0..=100).map(f64::from).collect();
         let during = |from: usize, to: usize| -> Vec<f64> {
-            let on = |i: usize| if (from..=to).contains(&i) { -5.0 } else { 0.05 };
-            (0..=100).map(on).collect()
+            (0..=100).map(|i: usize| if (from..=to).contains(&i) { -5.0 } else { 0.05 }).collect()
         };
         let (early, late, nothing) = (during(3, 20), during(40, 60), vec![0.0; 101]);
         let of = |values: &[&Vec<f64>]| active(&time, values.iter().map(|v| &v[..]), 100.0);

@@ -188,8 +188,7 @@ fn directions(up: &str, sheet: &mut Sheet) {
     // The last column may be that of a margin.
     let (right, bottom) = (area.width - 5, area.height - 1);
     for (word, x, y) in [("front", 0, bottom), ("back", right, bottom), (up, 0, 0)] {
-        let mut cells = x..x + width(word);
-        if cells.all(|x| sheet.cell((x, y)).symbol().trim().is_empty()) {
+        if (x..x + width(word)).all(|x| sheet.cell((x, y)).symbol().trim().is_empty()) {
             sheet.put((x, y), word, theme.quiet());
         }
     }
@@ -247,8 +246,7 @@ impl<'a> Picture<'a> {
     }
 
     fn place(&self, node: usize) -> (f64, f64) {
-        let zoom = f64::from(self.scene.zoom);
-        self.dot(self.drawing.place(self.frame, node, zoom))
+        self.dot(self.drawing.place(self.frame, node, f64::from(self.scene.zoom)))
     }
 
     fn force(&self, node: usize) -> f64 {
@@ -292,8 +290,7 @@ impl<'a> Picture<'a> {
 
     fn ink(&self, region: Region, step: usize) -> Ink {
         if step > 0 {
-            let rank = HOT + step as u8;
-            return Ink::solid(self.theme.heat(step), rank, heat_glyph(step));
+            return Ink::solid(self.theme.heat(step), HOT + step as u8, heat_glyph(step));
         }
         let style = self.theme.region(region);
         match region {

@@ -29,8 +29,7 @@ struct Ring<'a> {
 }
 
 impl Ring<'_> {
-    /// The strain at a turn of the clock, counted towards the nose, and how far from the middle of
-    /// its sector that is, in sectors.
+    /// The strain at a turn towards the nose, and how many sectors off its sector's middle that is.
     fn strain(&self, turn: f64) -> (f64, f64) {
         let count = self.strains.len() as f64;
         let at = turn / TAU * count - self.shift;
@@ -123,8 +122,7 @@ pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
     sheet.put_right((area.width - 1, bottom), right, theme.quiet());
     let legend = "outer ring: front edge; inner: back; o disc";
     if area.width > width(legend) + 18 {
-        let x = (area.width - width(legend)) / 2;
-        sheet.put((x, bottom), legend, theme.quiet());
+        sheet.put(((area.width - width(legend)) / 2, bottom), legend, theme.quiet());
     }
 }
 

@@ -22,8 +22,7 @@ impl HeatMap {
     }
 }
 
-/// The forces at which the steps of heat begin: each twice the one before, the last at or below
-/// the largest force.
+/// Where the steps of heat begin, in N: each twice the one before, the last at most the largest.
 pub fn thresholds(largest: f64, steps: usize) -> Vec<f64> {
     let top = if largest > 0.0 { largest.log2().floor() as i32 } else { 0 };
     let above = |step: usize| i32::try_from(steps - 1 - step).unwrap_or(0);
@@ -37,8 +36,7 @@ pub fn step_of(force: f64, thresholds: &[f64]) -> usize {
 
 /// The largest force on any node in any frame, in N.
 pub fn hottest(answer: &Answer) -> f64 {
-    let frames = answer.run.frames.iter();
-    frames.flat_map(|frame| frame.forces.iter().copied()).fold(0.0, f64::max)
+    answer.run.frames.iter().flat_map(|frame| frame.forces.iter().copied()).fold(0.0, f64::max)
 }
 
 /// What ASCII shows for a step of heat.

@@ -167,12 +167,10 @@ fn pick(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
         sheet.put_right((right, 1), head, theme.quiet());
     }
     sheet.put((0, 1), "preset", theme.quiet());
-    let rows = picker.shown.iter().enumerate().skip(first).take(room);
-    for (y, (i, at)) in (ABOVE..).zip(rows) {
+    for (y, (i, at)) in (ABOVE..).zip(picker.shown.iter().enumerate().skip(first).take(room)) {
         let (line, choice) = (&mut sheet.row(y), &model.choices[*at]);
         choice_row(choice, i == picker.row, line);
-        let mut marked = picker.marked.iter().flatten();
-        if let Some(place) = marked.position(|name| *name == choice.name) {
+        if let Some(place) = picker.marked.iter().flatten().position(|name| *name == choice.name) {
             line.put((MARK, 0), format!("[{}]", mark(place)), theme.curve(place));
         }
     }
@@ -220,8 +218,7 @@ pub fn frame<'a>(title: &str, (wide, high): (u16, u16), sheet: &'a mut Sheet) ->
     let title = Span::styled(format!(" {} ", printable(title)), theme.heading());
     let title = Line::from(vec![Span::styled("─", theme.quiet()), title]);
     Clear.render(place, sheet.buffer);
-    let block = Block::bordered().style(theme.quiet()).title(title);
-    block.render(place, sheet.buffer);
+    Block::bordered().style(theme.quiet()).title(title).render(place, sheet.buffer);
     sheet.part((x + 2, y + 1), (wide - MARGIN, high - 2))
 }
 
@@ -230,8 +227,7 @@ pub fn input(line: &TextLine, style: Style, sheet: &mut Sheet) {
     let (area, cursor) = (sheet.area, sheet.theme.focus());
     let input = &line.input;
     let style = if line.selected { cursor } else { style };
-    let room = usize::from(area.width.saturating_sub(1));
-    let hidden = input.visual_scroll(room);
+    let hidden = input.visual_scroll(usize::from(area.width.saturating_sub(1)));
     let (mut x, mut skipped) = (0, 0);
     for text in input.value().chars().map(String::from) {
         if skipped < hidden {

@@ -26,8 +26,7 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// Whether it is light. Some terminals say so in `COLORFGBG`, whose last part is the ground's
-    /// place among the sixteen colours.
+    /// Whether it is light: some terminals end `COLORFGBG` with its place among the sixteen.
     pub fn is_light(self, env: impl Fn(&str) -> Option<String>) -> bool {
         match self {
             Self::Auto => env("COLORFGBG")

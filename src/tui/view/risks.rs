@@ -48,13 +48,9 @@ pub fn longest(risk: &Risk, room: usize) -> String {
     let (others, burst) =
         if risk.bursts() { (", others too", format!("; {BURST}")) } else { ("", String::new()) };
     let long = forms.iter().take(3).map(|form| format!("{name}: {form}{burst}"));
-    let mut texts: Vec<String> = long.collect();
-    texts.extend([
-        format!("{name}: {}{others}", forms[2]),
-        format!("{word}: {}{others}", forms[2]),
-        format!("{name}: {percent}{others}"),
-        format!("{word}: {percent}{others}"),
-    ]);
+    let short = [&forms[2], &percent].into_iter();
+    let short = short.flat_map(|said| [name, word].map(|of| format!("{of}: {said}{others}")));
+    let texts: Vec<String> = long.chain(short).collect();
     fitted(longest_fitting(&texts, room as u16), room)
 }
 
@@ -70,8 +66,7 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
     longest_fitting(&texts, room).to_owned()
 }
 
-/// How what is said of an injury stands in columns: where its word begins, and where its middle,
-/// its range and the BB end.
+/// Columns of what is said of an injury: where its word begins, its middle, range and BB end.
 const NARROW: [u16; 4] = [14, 34, 43, 50];
 const BROAD: [u16; 4] = [20, 51, 60, 70];
 
@@ -249,8 +244,7 @@ mod tests {
         for injury in Injury::ALL {
             for times in [0.01, 0.5, 1.0, 1.5, 2.0, 100.0] {
                 let value = times * injury.curve().half;
-                let known = Known { value, ..Known::default() };
-                let risk = injury.assess(&Blow::default(), known);
+                let risk = injury.assess(&Blow::default(), Known { value, ..Known::default() });
                 for room in 34..120 {
                     let text = longest(&risk, room);
                     assert!(usize::from(width(&text)) <= room, "{text}");

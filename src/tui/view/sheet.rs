@@ -86,16 +86,14 @@ impl<'a> Sheet<'a> {
         y + lines.len() as u16
     }
 
-    /// Writes the first of some texts that there is room for, or else the last one, cut; gives the
-    /// column after it.
+    /// Writes the first text that there is room for, or the last one, cut; gives the column after.
     pub fn put_longest<T: AsRef<str>>(
         &mut self,
         (x, y): (u16, u16),
         texts: &[T],
         style: Style,
     ) -> u16 {
-        let room = self.area.width.saturating_sub(x);
-        self.put((x, y), longest_fitting(texts, room), style)
+        self.put((x, y), longest_fitting(texts, self.area.width.saturating_sub(x)), style)
     }
 
     /// Writes `text` so that it ends before column `right`.

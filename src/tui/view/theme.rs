@@ -81,8 +81,7 @@ impl Theme {
     /// What is chosen in a bar.
     pub fn bar_chosen(self) -> Style {
         // Where the bar is reversed this is not.
-        let chosen = on(self.colours.chosen, self.colours.chosen_ground);
-        chosen.unwrap_or(PLAIN).not_reversed().bold()
+        on(self.colours.chosen, self.colours.chosen_ground).unwrap_or(PLAIN).not_reversed().bold()
     }
 
     /// The load and its arc.
@@ -228,9 +227,7 @@ mod tests {
 
     /// Red, green and blue of one of the 256 colours, from 0 to 1.
     fn rgb(color: Color) -> [f64; 3] {
-        let Color::Indexed(index) = color else {
-            panic!("{color:?} is none of the 256");
-        };
+        let Color::Indexed(index) = color else { panic!("{color:?} is none of the 256") };
         let level = |step: u8| if step == 0 { 0.0 } else { 55.0 + 40.0 * f64::from(step) };
         assert!(index >= 16, "{index} depends on the terminal");
         let bytes = match index - 16 {

@@ -19,14 +19,12 @@ fn idle_model() -> (App, (u64, RunSamples)) {
     let effects = done::<Simulate>(&mut app, ticket, answer);
     let (ticket, _) = asked::<Complete>(&effects).unwrap();
     let effects = done::<Complete>(&mut app, ticket, Err(Refusal::Cancelled));
-    let asked = sampled(&effects).expect("the band follows what completes the answer");
-    (app, asked)
+    (app, sampled(&effects).expect("the band follows what completes the answer"))
 }
 
 /// An ensemble of so many samples, unfinished or finished.
 fn sample(app: &mut App, (ticket, question): &(u64, RunSamples), count: u32, whole: bool) {
-    let small = RunSamples { count, ..question.clone() };
-    let mut outcome = small.answer(&mut unwatched).unwrap();
+    let mut outcome = RunSamples { count, ..question.clone() }.answer(&mut unwatched).unwrap();
     outcome.asked = question.count;
     tell::<RunSamples>(app, *ticket, outcome, whole);
 }
@@ -41,12 +39,10 @@ fn the_band_comes_when_idle_and_an_edit_stops_it() {
     assert!(app.model.ensemble.of(&scenario).is_none(), "too few to be shown");
     sample(&mut app, &asked, 16, false);
     assert!(app.model.ensemble.of(&scenario).is_some());
-    let renamed = Scenario { name: "other".to_owned(), ..scenario };
-    assert!(app.model.ensemble.of(&renamed).is_some());
+    assert!(app.model.ensemble.of(&Scenario { name: "other".to_owned(), ..scenario }).is_some());
 
     let (mut app, asked) = idle_model();
-    let effects = press(&mut app, "l");
-    assert!(effects.contains(&Effect::Stop(asked.0)));
+    assert!(press(&mut app, "l").contains(&Effect::Stop(asked.0)));
     sample(&mut app, &asked, 16, false);
     assert!(app.model.ensemble.done.is_none(), "late news");
 }
@@ -55,8 +51,7 @@ fn the_band_comes_when_idle_and_an_edit_stops_it() {
 fn idle_work_is_announced_and_a_key_stops_it() {
     let (mut app, asked) = idle_model();
     assert!(asked.1.is_idle());
-    let report = Report::progress(asked.0, 0.25, Duration::ZERO);
-    update(&mut app, Message::News(report));
+    update(&mut app, Message::News(Report::progress(asked.0, 0.25, Duration::ZERO)));
     assert_eq!(app.model.ahead().unwrap(), "64 of 256 samples");
     assert_eq!(press(&mut app, "I"), [Effect::Stop(asked.0)]);
     assert_eq!(app.model.ahead(), None);
@@ -72,8 +67,7 @@ fn the_screen_asks_for_more_and_goes_on_with_what_is_done() {
     let asked = sampled(&press(&mut app, "\x1b6")).unwrap();
     assert_eq!(asked.1.count, MANY);
     assert!(!asked.1.is_idle() && asked.1.known.as_ref().unwrap().samples.len() == 8);
-    let report = Report::progress(asked.0, 0.3, Duration::ZERO);
-    update(&mut app, Message::News(report));
+    update(&mut app, Message::News(Report::progress(asked.0, 0.3, Duration::ZERO)));
     assert_eq!(app.model.ensemble.pace().unwrap(), "300 of 1000");
     let offered = |app: &App| footer_keys(app).iter().any(|(_, word)| *word == "go on");
     assert!(!offered(&app), "it runs");
@@ -96,11 +90,8 @@ fn leaving_the_screen_stops_it_and_results_can_be_walked_through() {
     assert_eq!(press(&mut app, "\x1b2"), [Effect::Stop(asked.0)]);
     let asked = sampled(&press(&mut app, "\x1b6")).unwrap();
     sample(&mut app, &asked, 16, false);
-    for _ in 0..20 {
-        press(&mut app, "j");
-    }
-    let ensemble = app.model.ensemble.of(&app.model.work.scenario).unwrap();
-    let last = ensemble.results().len() - 1;
+    press(&mut app, &"j".repeat(20));
+    let last = app.model.ensemble.of(&app.model.work.scenario).unwrap().results().len() - 1;
     assert!(last >= 8, "all that a force pulse has");
     assert_eq!(app.state::<Doubt>().row, last);
     press(&mut app, "k");

@@ -18,8 +18,7 @@ fn fill(
 ) -> Vec<Effect> {
     let known = PerQuantity::from_fn(|q| (q != Quantity::Pressure).then_some(10.0));
     let mut grid = question.known.clone();
-    let before = grid.known().0;
-    for at in grid.order().into_iter().skip(before).take(count) {
+    for at in grid.order().into_iter().skip(grid.known().0).take(count) {
         grid.put(at, Spot::Known(known));
     }
     tell::<DrawMap>(app, *ticket, grid, whole)
@@ -58,8 +57,7 @@ fn every_result_that_the_scene_has_comes_in_turn_and_nothing_is_simulated_for_it
     assert_eq!(first, Quantity::GlobeRupture, "a risk, where there is one");
     let all = Quantity::ALL.iter().copied().filter(|q| *q != Quantity::Pressure);
     let before = all.clone().take_while(|q| *q != first);
-    let order = all.clone().skip_while(|q| *q != first).chain(before);
-    for quantity in order.chain([first]) {
+    for quantity in all.clone().skip_while(|q| *q != first).chain(before).chain([first]) {
         assert_eq!(shown(&app), quantity);
         assert!(press(&mut app, "v").is_empty());
     }
@@ -85,12 +83,10 @@ fn the_cursor_moves_and_its_values_are_adopted() {
     let mut app = begun();
     press(&mut app, "\x1b7");
     let middle = app.state::<Map>().cursor;
-    press(&mut app, "\x1b[A");
-    press(&mut app, "L");
+    press(&mut app, "\x1b[AL");
     assert_eq!(app.state::<Map>().cursor, [middle[0] + 4, middle[1] + 1]);
     let before = app.model.work.scenario.clone();
-    let effects = press(&mut app, "\r");
-    assert!(asked::<Simulate>(&effects).is_some());
+    assert!(asked::<Simulate>(&press(&mut app, "\r")).is_some());
     let (_, adopted) = app.state::<Map>().adopted(&before).unwrap();
     assert_eq!(app.model.work.scenario, adopted);
     assert!(notice(&app).contains("now "));

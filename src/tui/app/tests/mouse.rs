@@ -27,8 +27,7 @@ fn dragging_on_the_eye_turns_the_blow_until_the_button_is_released() {
     does(&mut app, Down(Left), (MIDDLE.0 - 8, MIDDLE.1));
     assert_eq!(app.focus().name, "dial");
     assert!(blow(&app).1.abs() < 8.0, "{}", blow(&app).1);
-    let effects = does(&mut app, Drag(Left), (MIDDLE.0 - 8, MIDDLE.1 - 2));
-    assert!(asked::<Simulate>(&effects).is_some());
+    assert!(asked::<Simulate>(&does(&mut app, Drag(Left), (MIDDLE.0 - 8, MIDDLE.1 - 2))).is_some());
     let angle = blow(&app).1;
     assert!((15.0..45.0).contains(&angle), "{angle}");
     assert_eq!(angle, angle.round());
@@ -70,8 +69,7 @@ fn the_wheel_goes_through_the_rows_of_the_form_and_changes_none() {
 #[test]
 fn a_click_on_its_name_shows_a_screen_or_a_pane() {
     let mut app = app();
-    let title = tabs(&app, SIZE.0);
-    for (place, (at, label)) in title.into_iter().enumerate() {
+    for (place, (at, label)) in tabs(&app, SIZE.0).into_iter().enumerate() {
         does(&mut app, Down(Left), (at + 1, 0));
         assert_eq!(app.screen, place);
         if label.contains("Compare") {

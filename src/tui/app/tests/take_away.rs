@@ -36,8 +36,7 @@ fn a_large_page_is_written_after_a_question_that_says_where_and_how_large() {
         let text = question.text();
         assert!(text.contains("paper-300n.html of 1.2 MB"), "{text}");
         assert!(text.contains(folder.to_str().unwrap()), "{text}");
-        let effects = press(&mut app, reply);
-        let page = effects.iter().any(|e| matches!(e, Effect::Page(..)));
+        let page = press(&mut app, reply).iter().any(|e| matches!(e, Effect::Page(..)));
         assert_eq!(page, written);
     }
 }

@@ -12,13 +12,11 @@ fn bb() -> App {
     let mut app = opened();
     let scenario = find("bb-56").unwrap().scenario().unwrap();
     app.model.work.scenario = scenario.clone();
-    let answer = simulated(&app).unwrap();
-    app.model.shown = Some(ShownAnswer::new(scenario, answer));
+    app.model.shown = Some(ShownAnswer::new(scenario, simulated(&app).unwrap()));
     app.model.form.selected = row("impact.speed_m_s");
     app
 }
 
-/// The screen as text.
 fn drawn(app: &App) -> String {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
     draw(app, &mut buffer);
@@ -40,8 +38,7 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     assert_eq!(asking(&app).input.value(), "50");
     let effects = press(&mut app, "\r");
     let (ticket, question) = asked::<FindThreshold>(&effects).unwrap();
-    let found = question.answer(&mut unwatched);
-    done::<FindThreshold>(&mut app, ticket, found);
+    done::<FindThreshold>(&mut app, ticket, question.answer(&mut unwatched));
     let crossing = asking(&app).chosen().unwrap();
     let (from, to) = crossing.risk.as_ref().unwrap().range;
     assert!(from.unwrap() < crossing.at && crossing.at < to.unwrap());
@@ -53,20 +50,16 @@ fn a_risk_is_looked_for_and_its_value_is_taken_into_the_form() {
     let speed_now = fields::find("impact.speed_m_s").unwrap().text(&app.model.work.scenario);
     assert_eq!(speed_now.unwrap().parse(), Ok(speed));
     press(&mut app, "u");
-    let before = find("bb-56").unwrap().scenario().unwrap();
-    assert_eq!(app.model.work.scenario, before);
+    assert_eq!(app.model.work.scenario, find("bb-56").unwrap().scenario().unwrap());
 }
 
 #[test]
 fn escape_stops_the_search_and_then_closes_and_nothing_is_taken() {
     let mut app = bb();
     let before = app.model.work.clone();
-    press(&mut app, "t");
-    let effects = press(&mut app, "\r");
-    let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
+    let (ticket, _) = asked::<FindThreshold>(&press(&mut app, "t\r")).unwrap();
     // What is asked stays as it is meanwhile.
-    press(&mut app, "\x1b7");
-    press(&mut app, "\x1b[B");
+    press(&mut app, "\x1b7\x1b[B");
     assert_eq!(asking(&app).input.value(), "50");
     // What is computed ahead may begin again beside it.
     assert!(press(&mut app, "\x1b").contains(&Effect::Stop(ticket)));
@@ -78,9 +71,7 @@ fn escape_stops_the_search_and_then_closes_and_nothing_is_taken() {
 #[test]
 fn only_a_number_with_an_answer_is_asked_about_and_only_numbers_are_sought() {
     let mut app = bb();
-    press(&mut app, "t");
-    press(&mut app, "x");
-    press(&mut app, "\r");
+    press(&mut app, "tx\r");
     assert!(asking(&app).error.is_some() && asking(&app).task.job.is_none());
     press(&mut app, "\x1b");
     app.model.form.selected = FormRow::Preset;
@@ -100,8 +91,7 @@ fn any_of_the_six_risks_is_asked_for_and_one_that_no_value_reaches_says_so() {
         assert_eq!(asking(&app).quantity, injury.result());
         press(&mut app, "\x1b[B");
     }
-    let effects = press(&mut app, "\r");
-    let (ticket, _) = asked::<FindThreshold>(&effects).unwrap();
+    let (ticket, _) = asked::<FindThreshold>(&press(&mut app, "\r")).unwrap();
     let never = Threshold { seen: vec![(1.0, Ok(0.0)), (200.0, Ok(31.0))], crossings: Vec::new() };
     done::<FindThreshold>(&mut app, ticket, Ok(never));
     assert!(drawn(&app).contains("Never: "), "{}", drawn(&app));

@@ -58,8 +58,7 @@ fn a_doubt_that_is_typed_changes_no_answer_and_asks_for_none() {
     answer_running(&mut app);
     press(&mut app, "\r");
     for typed in [" ", "+", "-", " ", "5"] {
-        let effects = press(&mut app, typed);
-        assert!(asked::<Simulate>(&effects).is_none(), "{typed}");
+        assert!(asked::<Simulate>(&press(&mut app, typed)).is_none(), "{typed}");
         assert!(typing(&app).error.is_none());
     }
     assert!(asked::<Simulate>(&press(&mut app, "\r")).is_none());

@@ -9,8 +9,7 @@ pub(super) struct Tint {
     pub step: usize,
 }
 
-/// What it costs to show a point as another: thin parts must not be lost, and what is inside of
-/// the globe must not seem to be outside.
+/// What it costs to show a point as another: to lose a thin part, or to turn inside to outside.
 fn cost(of: Tint, shown: Tint) -> f64 {
     let line = |tint: Tint| tint.part.is_line();
     if of == shown {

@@ -40,8 +40,7 @@ pub const NAMED: [(Part, &str); 8] = [
     (Part::Bone, "bone"),
 ];
 
-/// What is drawn: the eye and how it is shown, a frame of it, and what fills the globe with the
-/// end of its scale.
+/// The eye and how it is shown, a frame of it, and what fills the globe with its scale's end.
 pub(super) struct Anatomical<'a> {
     pub(super) scene: &'a EyePicture<'a>,
     pub(super) frame: &'a Frame,
@@ -139,8 +138,7 @@ impl Anatomical<'_> {
             let before = found.clone();
             for (i, place) in found.iter_mut().enumerate() {
                 let near = [i.wrapping_sub(1), i + 1, i.wrapping_sub(columns), i + columns];
-                let known = near.iter().find_map(|n| before.get(*n).copied().flatten());
-                *place = place.or(known);
+                *place = place.or(near.iter().find_map(|n| before.get(*n).copied().flatten()));
             }
         }
         found.into_iter().map(Option::unwrap_or_default).collect()
@@ -177,8 +175,7 @@ impl Anatomical<'_> {
     /// The dots of the outline at rest in each cell, bit by bit along their rows.
     fn dots(&self, window: &Window, area: Rect) -> Vec<u8> {
         let mut dots = vec![0; area.area() as usize];
-        let ghost = self.scene.shown.anatomy.ghost();
-        for at in ghost.iter().filter(|_| !self.scene.front) {
+        for at in self.scene.shown.anatomy.ghost().iter().filter(|_| !self.scene.front) {
             let (x, y) = window.cell(*at);
             let (width, height) = (f64::from(area.width), f64::from(area.height));
             if (0.0..width).contains(&x) && (0.0..height).contains(&y) {
@@ -236,8 +233,7 @@ impl Anatomical<'_> {
         for i in 0..colours {
             let last = 2 * (colours - 1);
             let colour = |half: usize| theme.part(Part::Globe, half.min(last) * (STEPS - 1) / last);
-            let style = Style::new().fg(colour(2 * i)).bg(colour(2 * i + 1));
-            x = sheet.put((x, 0), "▌", style);
+            x = sheet.put((x, 0), "▌", Style::new().fg(colour(2 * i)).bg(colour(2 * i + 1)));
         }
         sheet.put_right((area.width, 0), end.trim_start(), theme.quiet());
     }

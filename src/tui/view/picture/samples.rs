@@ -78,7 +78,6 @@ impl Samples {
                 }
             }
         }
-        let most = found.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-        most.map_or(Part::Sky, |(part, _)| *part)
+        found.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(Part::Sky, |(part, _)| *part)
     }
 }

@@ -4,7 +4,7 @@ use crate::run::kept::{Keep, Spacing};
 use crate::run::{drawing::Drawing, watch::unwatched};
 use crate::scenario::library::{built_in, find};
 use crate::scenario::{Impact, Scenario};
-use crate::tui::{clock::MeshDetail, look::Look, shown::ShownAnswer, view::palette::DARK};
+use crate::tui::{clock::MeshDetail, model::AppModel, shown::ShownAnswer, view::palette::DARK};
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 
@@ -16,21 +16,9 @@ fn answered(scenario: &Scenario) -> ShownAnswer {
 
 fn draw(shown: &ShownAnswer, frame: &Frame, look: Look, (wide, high): (u16, u16)) -> Buffer {
     let mut buffer = Buffer::empty(Rect::new(0, 0, wide, high));
-    let picture = EyePicture {
-        shown,
-        time: frame.time,
-        largest: shown.hottest,
-        field: Some(shown.fields[0]),
-        zoom: 1,
-        detail: MeshDetail::Anatomy,
-        blow: None,
-        aiming: false,
-        playing: false,
-        lean: false,
-        front: false,
-        look,
-    };
-    picture.draw(buffer.area, &mut buffer);
+    let model = AppModel { look, ..AppModel::default() };
+    let picture = EyePicture::of(&model, shown, frame.time);
+    EyePicture { detail: MeshDetail::Anatomy, ..picture }.draw(buffer.area, &mut buffer);
     buffer
 }
 
@@ -42,8 +30,7 @@ fn inside(ring: &[Point2<f64>], at: Point2<f64>) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// Where an object cannot be in a frame: in the globe, in what holds it, and behind the rim beside
-/// the wall; from the nodes alone.
+/// Where no object can be, from the nodes alone: in the globe, its fat, and behind the rim.
 fn forbidden(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point2<f64>>> {
     let places = |nodes: &[usize]| -> Vec<Point2<f64>> {
         nodes.iter().map(|node| drawing.place(frame, *node, 1.0)).collect()
