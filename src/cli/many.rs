@@ -60,7 +60,6 @@ pub fn draw(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The result that is called so, see [`meant`].
 fn result(flag: &str, name: &str) -> Result<Quantity, CliError> {
     meant(name).ok_or_else(|| {
         let near = five_nearest(name, Quantity::ALL.iter().map(|quantity| quantity.key()));

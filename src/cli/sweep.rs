@@ -23,7 +23,6 @@ const LONGEST_LINE: u64 = 64 * 1024;
 pub struct Shard(usize, usize);
 
 impl Shard {
-    /// Reads `I/N`.
     pub fn read(typed: &str) -> Result<Self, &'static str> {
         let wanted = "expected I/N with I from 1 to N and N up to 1000000, as in 3/8";
         let (index, of) = typed.split_once('/').ok_or(wanted)?;

@@ -41,7 +41,6 @@ pub fn bar(correlation: f64, half: usize) -> String {
     format!("{left:>half$}│{right:<half$}")
 }
 
-/// Prints bands, drivers of one result, counts and cost.
 pub fn text(name: &str, ensemble: &Ensemble, of: Quantity, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}", printable(name))?;
     write!(out, "{} samples of seed {}", ensemble.samples.len(), ensemble.seed)?;

@@ -50,7 +50,6 @@ pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
     page + MORE + "\n"
 }
 
-/// What hit what, in lines.
 fn what(scenario: &Scenario) -> Vec<String> {
     let object = scenario.projectile().map_or_else(String::new, |object| {
         let [mass, wide, speed] = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
@@ -186,11 +185,9 @@ mod tests {
     fn page(name: &str, changes: &[(&str, &str)], more: &[FlagKind]) -> String {
         let scenario = preset(name, changes);
         let mut answer = answered(&scenario);
-        answer.flags.extend(more.iter().map(|kind| Flag {
-            kind: *kind,
-            message: "what happened is said in words that take a line of their own".to_owned(),
-            detail: None,
-            time: None,
+        answer.flags.extend(more.iter().map(|&kind| {
+            let message = "what happened is said in words that take a line of their own".to_owned();
+            Flag { kind, message, detail: None, time: None }
         }));
         let page = text(&scenario, &answer, true);
         assert!(page.lines().count() <= LINES, "{page}");

@@ -62,8 +62,7 @@ impl PageChart {
         Some(text.replacen(&fixed, "<svg", 1))
     }
 
-    /// The names of its curves with the colour of each, to stand where they hide nothing; none of a
-    /// single curve, which the title names.
+    /// The names of its curves with their colours, to stand beside it; none of a single curve.
     pub fn names(&self) -> Vec<(&str, String)> {
         let css =
             |RGBColor(red, green, blue): &RGBColor| format!("color:rgb({red},{green},{blue})");
@@ -107,7 +106,6 @@ impl PageChart {
     }
 }
 
-/// A number on an axis.
 fn short(value: f64) -> String {
     if value.abs() < 1e-12 { "0".to_owned() } else { trimmed(value) }
 }
@@ -177,12 +175,8 @@ pub fn injuries(answer: &Answer) -> PageChart {
         curves.push((risk.injury.name().to_owned(), (0..=100).map(point).collect()));
         marks.push((i, (at, 100.0 * risk.risk)));
     }
-    PageChart {
-        across: "what the tissue felt, as a share of what hurts half of all eyes",
-        up: "risk, %".to_owned(),
-        curves,
-        marks,
-    }
+    let across = "what the tissue felt, as a share of what hurts half of all eyes";
+    PageChart { across, up: "risk, %".to_owned(), curves, marks }
 }
 
 #[cfg(test)]
@@ -191,11 +185,9 @@ mod tests {
 
     #[test]
     fn a_chart_is_drawn_with_its_names_and_nothing_is_drawn_of_nothing() {
-        let chart = |points: Vec<(f64, f64)>| PageChart {
-            across: "ms",
-            up: "force, N".to_owned(),
-            curves: vec![("a < b".to_owned(), points)],
-            marks: vec![(0, (1.0, 2.0))],
+        let chart = |points: Vec<(f64, f64)>| {
+            let (curves, marks) = (vec![("a < b".to_owned(), points)], vec![(0, (1.0, 2.0))]);
+            PageChart { across: "ms", up: "force, N".to_owned(), curves, marks }
         };
         let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();
         assert!(svg.starts_with("<svg viewBox=") && svg.contains("force, N"));

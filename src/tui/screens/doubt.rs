@@ -108,7 +108,6 @@ impl Screen for Doubt {
 }
 
 impl Doubt {
-    /// Moves to another result.
     fn move_cursor(&mut self, model: &AppModel, by: isize) {
         let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
             return;

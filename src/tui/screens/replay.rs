@@ -2,9 +2,8 @@
 
 use ratatui::style::Style;
 
-use crate::report::{
-    figure::at_a_moment, format::significant, picture::Part, picture::front::seen,
-};
+use crate::report::{figure::at_a_moment, format::significant};
+use crate::report::{picture::Part, picture::front::seen};
 use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
 use crate::tui::clock::{MeshDetail, peak_said};
@@ -25,7 +24,6 @@ const TALL: u16 = 30;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
-/// What the screen keeps to itself.
 #[derive(Default)]
 pub struct Replay {
     /// Whether the eye is seen from the front and not cut.
@@ -47,7 +45,6 @@ const FRONT: PaneKeys<Replay> = PaneKeys::new("Replay", &[
 
 /// The keys of a screen that go from frame to frame, wherever the eye is replayed.
 pub trait FrameKeys: Screen + Sized {
-    /// The keys.
     #[rustfmt::skip]
     const FRAME_KEYS: &'static [Binding<Act<Self>>] = &[
         bind(&[LEFT, c('h')], |s, m| s.step(m, Step::LESS), "frame", "the frame before"),
@@ -68,11 +65,8 @@ impl Screen for Replay {
             return;
         };
         let (wide, high) = (area.width - SIDE, area.height - 3);
-        let drawn = EyePicture {
-            blow: Some(&shown.scenario),
-            front: self.front,
-            ..EyePicture::of(model, shown, model.time())
-        };
+        let plain = EyePicture::of(model, shown, model.time());
+        let drawn = EyePicture { blow: Some(&shown.scenario), front: self.front, ..plain };
         let anatomy = drawn.detail == MeshDetail::Anatomy;
         // What reaches the edge does not touch the legend.
         let field = sheet.part((0, 0), (wide - 1, high));
@@ -253,12 +247,9 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let field = &mut sheet.part((1, 1), (area.width - 2, 2));
     if let Some(traces) = &shown.answer.run.traces {
         let mut raster = Raster::new(field.area, model.look.symbols);
-        let curve = TimeCurve {
-            time: &traces.time,
-            values: Trace::Other(OtherTrace::Drive).values(traces),
-            factor: 1.0,
-            ink: Ink::solid(theme.load(), 1, '#'),
-        };
+        let values = Trace::Other(OtherTrace::Drive).values(traces);
+        let ink = Ink::solid(theme.load(), 1, '#');
+        let curve = TimeCurve { time: &traces.time, values, factor: 1.0, ink };
         fill(&mut raster, curve, window);
         raster.paint(field.buffer);
     }

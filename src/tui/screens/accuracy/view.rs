@@ -100,7 +100,6 @@ fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
     }
 }
 
-/// The letters that are there.
 fn legend(shown: &[Total]) -> Vec<String> {
     let there = |of: &&Integrator| shown.iter().any(|total| total.plan.integrator == **of);
     let letters = Integrator::ALL.iter().filter(there).map(|of| letter_and_name(*of));

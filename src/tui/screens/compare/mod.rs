@@ -121,9 +121,8 @@ impl Screen for Comparison {
             return;
         }
         let incomplete = self.incomplete().next();
-        let question = incomplete
-            .map(|(entry, answer)| OfMarked::new(entry, Complete::of(&entry.scenario, answer)));
-        if let Some(question) = question {
+        if let Some((entry, answer)) = incomplete {
+            let question = OfMarked::new(entry, Complete::of(&entry.scenario, answer));
             self.rest.ask(question, &mut model.out);
         }
     }
@@ -186,8 +185,7 @@ impl Screen for Comparison {
         };
         let called = called(source, original, scenario);
         self.fix_order();
-        let place = self.entries.iter().position(|entry| entry.name == name);
-        match place {
+        match self.entries.iter().position(|entry| entry.name == name) {
             Some(at) if self.entries[at].scenario == *scenario => {}
             Some(at) => self.keeping_row(|comparison| {
                 comparison.entries[at] = Marked::new(&called, scenario);

@@ -17,7 +17,6 @@ pub const DIAL: usize = 1;
 /// Lines that are said about a field at most.
 const MAX_NOTE_LINES: usize = 7;
 
-/// Draws the form.
 pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     // A name to save under stands in front without taking the form away.
@@ -40,7 +39,6 @@ pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     sheet.put_lines((1, after), &purpose, theme.quiet());
 }
 
-/// What the mark beside a value means.
 pub const UNVERIFIED: &str = "? unverified figure";
 /// From so many columns on the form is one beside signs that say all.
 const NARROWEST: u16 = 28;
@@ -199,7 +197,6 @@ fn shown_value(model: &AppModel, field: &Field) -> String {
     if field.unit.is_empty() { text } else { format!("{text} {}", field.unit) }
 }
 
-/// A choice as a person would say it.
 fn in_words(name: &str) -> String {
     match name {
         "Inflated" => "gas or foam".to_owned(),

@@ -148,7 +148,6 @@ impl Cells<'_> {
         Some(self.reading(at)?.value? / self.whole)
     }
 
-    /// How a cell looks.
     fn drawn(&self, at: (u16, u16), theme: Theme) -> (&'static str, Style) {
         const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
         let Some(reading) = self.reading(at) else {
