@@ -116,10 +116,8 @@ impl Changes {
     fn made_to(&self, typed: &str) -> Result<CheckedScenario, CliError> {
         let (source, own) = with_own_changes(typed);
         let mut scenario = resolve(source)?;
-        let set = self
-            .assignments
-            .iter()
-            .map(|(path, text)| (format!("--set {path}={text}"), path.as_str(), text.as_str()));
+        let set = self.assignments.iter();
+        let set = set.map(|(path, text)| (format!("--set {path}={text}"), &path[..], &text[..]));
         let own = own.into_iter().map(|(path, text)| {
             let path = if path == AT { usual(&scenario).0 } else { path };
             (typed.to_owned(), path, text)

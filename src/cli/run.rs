@@ -21,9 +21,8 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let (began, progress) = (Instant::now(), Progress::new());
     let mut watch = progress.watch("simulating");
     if let (Some(_), Some(path)) = (args.tolerance, numerics_set(args, &scenario)) {
-        return Err(CliError::Input(format!(
-            "--set {path}: --tolerance chooses mesh level, integrator and step itself"
-        )));
+        let why = "--tolerance chooses mesh level, integrator and step itself";
+        return Err(CliError::Input(format!("--set {path}: {why}")));
     }
     let mut answer = if let Some(percent) = args.tolerance {
         let ladder = &mut choose::Ladder::default();

@@ -150,17 +150,14 @@ fn open(
         // What is longer than a row, or stands behind the last, is no row that was damaged.
         if number.is_none() && done < rows.len() && read < LONGEST_LINE {
             // Nobody is hurt if it is lost.
-            let _ = writeln!(
-                io::stderr(),
-                "{name}: line {line_number} is damaged: from there on rows are computed again"
-            );
+            let what = format!("line {line_number} is damaged");
+            let _ = writeln!(io::stderr(), "{name}: {what}: from there on rows are computed again");
             break;
         }
         if number.is_none() || number != rows.get(done).copied() {
-            return Err(refused(format!(
-                "line {line_number}: {} is not the next row of this shard",
-                quoted(text.trim_end())
-            )));
+            let held = quoted(text.trim_end());
+            let why = format!("line {line_number}: {held} is not the next row of this shard");
+            return Err(refused(why));
         }
         done += 1;
         whole += read;

@@ -188,8 +188,7 @@ pub const PARTS: [(Quantity, Term); 3] = [
     (Quantity::Energy, ENERGY),
 ];
 
-/// A trace at one moment with its error, both in its unit, as in `12.3 ±0.4 N`. The error is that
-/// of the peak at any moment; a trace of no result has none.
+/// A trace at one moment, as in `12.3 ±0.4 N`, by the error of its peak; of no result without.
 pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
     let hit = answer.result(Quantity::Contact).is_some();

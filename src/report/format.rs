@@ -80,6 +80,18 @@ pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) ->
     lines.try_for_each(|(i, line)| writeln!(out, "{}{line}", if i == 0 { first } else { rest }))
 }
 
+/// Values by the keys that they come with, in the order in which keys come first.
+pub fn grouped<K: PartialEq, T>(pairs: impl IntoIterator<Item = (K, T)>) -> Vec<(K, Vec<T>)> {
+    let mut groups: Vec<(K, Vec<T>)> = Vec::new();
+    for (key, value) in pairs {
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, values)) => values.push(value),
+            None => groups.push((key, vec![value])),
+        }
+    }
+    groups
+}
+
 pub fn capital(label: &str) -> String {
     let mut letters = label.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())

@@ -64,8 +64,7 @@ impl PageChart {
 
     /// The names of its curves with their colours, to stand beside it; none of a single curve.
     pub fn names(&self) -> Vec<(&str, String)> {
-        let css =
-            |RGBColor(red, green, blue): &RGBColor| format!("color:rgb({red},{green},{blue})");
+        let css = |RGBColor(r, g, b): &RGBColor| format!("color:rgb({r},{g},{b})");
         let coloured = self.curves.iter().zip(COLOURS.iter().cycle());
         let named = coloured.map(|((name, _), colour)| (name.as_str(), css(colour)));
         named.filter(|_| self.curves.len() > 1).collect()
@@ -130,8 +129,7 @@ fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
     Some((course.label(traces).to_owned(), points))
 }
 
-/// What drives the eye, and the forces of the monitored nodes where no object presses on it: beside
-/// that force they would be flat lines.
+/// What drives the eye, and forces of nodes, which would be flat lines beside that of an object.
 pub fn forces(answer: &Answer) -> PageChart {
     let hit = answer.result(Quantity::Contact).is_some();
     let nodes = TRACES.iter().copied();
@@ -159,8 +157,7 @@ pub fn drives(entries: &[Entry]) -> PageChart {
     PageChart::over_time("force on the eye, N", entries.iter().filter_map(one).collect())
 }
 
-/// The risk of each injury over what its tissue feels as a share of what brings 50 %, and the blow,
-/// which lies beside its curve where published energies count.
+/// The curve of each injury, and the blow, which lies beside it where published energies count.
 pub fn injuries(answer: &Answer) -> PageChart {
     let (mut curves, mut marks) = (Vec::new(), Vec::new());
     // The gravest first, and no more than can be told apart.

@@ -71,9 +71,8 @@ pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<[String; 6]> {
         let value = Figure::of(answer, of).map(|figure| {
             format!("{} {}", cut_before(figure.cut).1, figure.number).trim_start().to_owned()
         });
-        let at = answer
-            .peak(of)
-            .map(|peak| format!("{:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of)));
+        let ms = answer.peak(of).map(|peak| peak.time * 1e3);
+        let at = ms.map(|ms| format!("{ms:.3} ms{}", remark(scenario, answer, of)));
         let mesh = mesh.as_ref().and_then(|errors| errors[of]);
         let [step, mesh] = [time_step[of], mesh].map(|error| or_dash(error, percent));
         let (name, unit) = (capital(of.row().label), of.row().unit.to_owned());

@@ -59,12 +59,10 @@ pub struct Picture<'a> {
     /// Cells of the globe, and nodes at their corners.
     cells: Vec<DrawnCell>,
     nodes: Vec<usize>,
-    /// The frame of the peak.
     peak: usize,
 }
 
 impl<'a> Picture<'a> {
-    /// Of an answer that has frames.
     pub fn of(answer: &'a Answer) -> Option<Self> {
         let kept = &answer.run.frames[..];
         kept.first()?;
@@ -188,8 +186,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// The first of several lists of numbers, and of each other one by how much it differs from the
-/// one before, if that is as long; a space where it is the same.
+/// The first list of numbers, and the moves to each other one: a space where there are none.
 fn moves(lists: &[Vec<i64>]) -> Vec<String> {
     let by = |pair: &[Vec<i64>]| {
         if pair[0] == pair[1] {

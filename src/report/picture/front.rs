@@ -61,8 +61,7 @@ fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
     ring.iter().map(|at| middle + (at - middle) * times).collect()
 }
 
-/// All layers of a frame, the later over the earlier, `grain` m the smallest thing that shows;
-/// none of a section that is hit from the side.
+/// All layers of a frame as [`seen`], the later over the earlier; no less than `grain` m shows.
 pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Option<Vec<Shape>> {
     let front = seen(drawing, frame)?;
     let across = |at: Point2<f64>| match side {

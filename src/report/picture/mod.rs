@@ -84,7 +84,6 @@ impl Shape {
         Self { part, rings: vec![ring] }
     }
 
-    /// Whether a place lies in one of its rings.
     fn holds(&self, at: Point2<f64>) -> bool {
         self.rings.iter().any(|ring| {
             let crossed = sides(ring).filter(|[a, b]| {
@@ -135,7 +134,6 @@ pub struct Anatomy {
 }
 
 impl Anatomy {
-    /// Of an eye as it rests.
     pub fn of(drawing: &Drawing) -> Self {
         let mm = |x: f64, y: f64| Point2::new(x * 1e-3, y * 1e-3);
         let held = |places: Vec<Point2<f64>>| -> Vec<Held> {

@@ -185,11 +185,8 @@ fn result(
     let name = format!("{} {}", of.label(), of.row().unit);
     sheet.put((1, 0), fitted(&name, usize::from(LABEL + 1)), style);
     for (right, value) in ends().zip([band.low, band.median, band.high]) {
-        let text = if of.is_risk() {
-            format!("{value:.0}")
-        } else {
-            allowing(value, Some(0.1 * (band.high - band.low)))
-        };
+        let off = Some(0.1 * (band.high - band.low));
+        let text = if of.is_risk() { format!("{value:.0}") } else { allowing(value, off) };
         // One column is kept free, so that numbers do not touch.
         let texts = [text, numeral(value, NUMBER - 1)];
         sheet.put_right((right, 0), longest_fitting(&texts, NUMBER - 1), style);

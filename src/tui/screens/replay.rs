@@ -2,7 +2,7 @@
 
 use ratatui::style::Style;
 
-use crate::report::{figure::at_a_moment, format::significant};
+use crate::report::{figure::at_a_moment, format::grouped, format::significant};
 use crate::report::{picture::Part, picture::front::seen};
 use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
@@ -31,12 +31,10 @@ pub struct Replay {
 }
 
 impl Panes for Replay {
-    const PANES: &'static [Pane<Self>] = &[Pane::new(
-        "replay",
-        TimeKeys::Early,
-        &[PaneKeys::new("Replay", Self::FRAME_KEYS), FRONT],
-    )];
+    const PANES: &'static [Pane<Self>] = &[Pane::new("replay", TimeKeys::Early, &[FRAMES, FRONT])];
 }
+
+const FRAMES: PaneKeys<Replay> = PaneKeys::new("Replay", Replay::FRAME_KEYS);
 
 #[rustfmt::skip]
 const FRONT: PaneKeys<Replay> = PaneKeys::new("Replay", &[
@@ -159,17 +157,10 @@ fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) 
     let more = of_blow.into_iter().filter(|_| hit).chain([(Part::Fat, "fat")]);
     let seen = NAMED.into_iter().chain(more).filter(|(part, _)| !front || part.is_outside());
     // Without colours several parts have one sign.
-    let mut signs: Vec<(String, Style, Vec<&str>)> = Vec::new();
-    for (part, name) in seen {
-        let (sign, style) = swatch(part, model.look);
-        match signs.iter_mut().find(|known| (&known.0, known.1) == (&sign, style)) {
-            Some((.., names)) => names.push(name),
-            None if sign == " " && style == Style::new() => {}
-            None => signs.push((sign, style, vec![name])),
-        }
-    }
+    let signs = seen.map(|(part, name)| (swatch(part, model.look), name));
+    let signs = signs.filter(|((sign, style), _)| sign != " " || *style != Style::new());
     let (mut x, mut y) = (0, 1);
-    for (sign, style, names) in signs {
+    for ((sign, style), names) in grouped(signs) {
         let lines = wrapped(&names.join(", "), usize::from(area.width - 3));
         let wide = lines.iter().map(|line| width(line) + 3).max().unwrap_or(0);
         if x > 0 && (area.height >= TALL || x + wide > area.width) {
@@ -238,11 +229,8 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let state = if model.clock.playing { "▶ playing" } else { "paused" };
     let text = format!("{:.3} of {} ms", time * 1e3, significant(window * 1e3));
     let end = sheet.put((1, 0), &text, theme.strong());
-    let rest = format!(
-        "  {state}  {} ms/s  {}",
-        model.clock.speed(),
-        model.clock.detail(shown.drawing.object.is_some()).name()
-    );
+    let detail = model.clock.detail(shown.drawing.object.is_some()).name();
+    let rest = format!("  {state}  {} ms/s  {detail}", model.clock.speed());
     sheet.put((end, 0), &rest, theme.text());
     let field = &mut sheet.part((1, 1), (area.width - 2, 2));
     if let Some(traces) = &shown.answer.run.traces {

@@ -220,7 +220,6 @@ impl<S> Pane<S> {
         Self { name, keys, time }
     }
 
-    /// Its tables of keys that count now.
     fn now(&self, screen: &S, model: &AppModel) -> impl Iterator<Item = &'static KeyTable<Act<S>>> {
         let now = self.keys.iter().filter(|keys| (keys.counts)(screen, model));
         now.map(|keys| &keys.table)

@@ -116,7 +116,6 @@ pub struct Comparison {
     pub row: usize,
     /// The row with the cursor in the table.
     pub entry: usize,
-    /// The column with the cursor.
     pub column: usize,
     /// The column that sorts the table, and whether the largest comes first.
     pub sort: Option<(ComparisonColumn, bool)>,

@@ -24,11 +24,7 @@ impl Panes for Comparison {
     const PANES: &'static [Pane<Self>] = &[
         Pane::new(view::PANES[LIST], TimeKeys::Absent, &[LIST_KEYS]),
         Pane::new(view::PANES[TABLE], TimeKeys::Early, &[TABLE_KEYS]),
-        Pane::new(
-            view::PANES[REPLAYS],
-            TimeKeys::Early,
-            &[PaneKeys::new("Compare: replays", Self::FRAME_KEYS), ALIGN_KEYS],
-        ),
+        Pane::new(view::PANES[REPLAYS], TimeKeys::Early, &[FRAMES, ALIGN_KEYS]),
     ];
 }
 
@@ -57,6 +53,7 @@ const TABLE_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: table", &[
     ALIGN,
 ]);
 
+const FRAMES: PaneKeys<Comparison> = PaneKeys::new("Compare: replays", Comparison::FRAME_KEYS);
 const ALIGN_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: time", &[ALIGN]);
 
 const ALIGN: Binding<Act<Comparison>> = bind(
@@ -93,9 +90,8 @@ impl Screen for Comparison {
             }
         }
         if left_out > 0 {
-            model.notice = Some(format!(
-                "only the first {MAX_MARKED} are marked for comparison, {left_out} are not"
-            ));
+            let only = format!("only the first {MAX_MARKED} are marked for comparison");
+            model.notice = Some(format!("{only}, {left_out} are not"));
         }
     }
 

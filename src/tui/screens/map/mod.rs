@@ -143,7 +143,6 @@ impl TaskQuestion for DrawMap {
 }
 
 pub struct Map {
-    /// The inputs: across and up.
     pub spans: Option<[Span; 2]>,
     /// What came last, and of which scenario and inputs.
     pub done: Option<(Scenario, [Span; 2], Grid)>,
@@ -330,7 +329,6 @@ mod tests {
     use crate::many::map::Spot;
     use crate::run::readings::PerQuantity;
 
-    /// The scenario that the app begins with, and its map.
     fn settled() -> (Scenario, Map) {
         let (scenario, mut map) = (Scenario::default(), Map::default());
         map.settle(&scenario);

@@ -187,8 +187,7 @@ impl Cells<'_> {
         for (i, level) in (1..).zip(LINES) {
             let crossing = |row: u16| {
                 (1..field.width).find(|column| {
-                    let (before, here) =
-                        (self.share((column - 1, row)), self.share((*column, row)));
+                    let [before, here] = [column - 1, *column].map(|x| self.share((x, row)));
                     before.zip(here).is_some_and(|(a, b)| (a < level) != (b < level))
                 })
             };
