@@ -109,9 +109,7 @@ impl Screen for Doubt {
 
 impl Doubt {
     fn move_cursor(&mut self, model: &AppModel, by: isize) {
-        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
-            return;
-        };
+        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else { return };
         let last = ensemble.results().len().saturating_sub(1);
         self.row = self.row.min(last).saturating_add_signed(by).min(last);
     }
@@ -140,9 +138,8 @@ fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let share = FIRST as f64 / f64::from(job.question.count);
     let until = job.pace.and_then(|pace| pace.until(share));
     let until = until.map_or_else(String::new, |until| format!(", in {until}"));
-    let when =
-        format!("The first bands come with sample {FIRST}{until}, and fill in from there.{each}");
-    vec![what.to_owned(), when]
+    let first = format!("The first bands come with sample {FIRST}{until}");
+    vec![what.to_owned(), format!("{first}, and fill in from there.{each}")]
 }
 
 fn status(model: &AppModel, theme: Theme) -> (String, Style) {
@@ -176,9 +173,7 @@ fn result(
     sheet: &mut Sheet,
 ) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let Some((band, _)) = shown_band(ensemble, answer, of) else {
-        return;
-    };
+    let Some((band, _)) = shown_band(ensemble, answer, of) else { return };
     let style = if chosen { theme.strong() } else { theme.text() };
     let sign = if chosen { "▸" } else { " " };
     sheet.put((0, 0), sign, theme.strong());

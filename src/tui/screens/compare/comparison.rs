@@ -101,10 +101,7 @@ pub type Marked = Entry<Box<ShownAnswer>>;
 
 /// What pictures of an entry are made of, once it has its answer.
 pub fn shown(entry: &Marked) -> Option<&ShownAnswer> {
-    match &entry.found {
-        Found::Answer(shown) => Some(shown),
-        _ => None,
-    }
+    if let Found::Answer(shown) = &entry.found { Some(shown) } else { None }
 }
 
 #[derive(Default)]

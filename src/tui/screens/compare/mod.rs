@@ -127,9 +127,7 @@ impl Screen for Comparison {
         if let Some((asked, rest)) = self.rest.take_report(report) {
             self.complete(&asked, rest);
         }
-        let Some((asked, outcome)) = self.task.take_report(report) else {
-            return;
-        };
+        let Some((asked, outcome)) = self.task.take_report(report) else { return };
         let why = self.task.complaint.take().map(|(_, why)| why);
         let found = match outcome {
             Some(answer) => Found::Answer(ShownAnswer::new(asked.scenario.clone(), answer).into()),
@@ -150,9 +148,7 @@ impl Screen for Comparison {
             self.complete(&asked, None);
             return true;
         }
-        let Some(job) = &self.task.job else {
-            return false;
-        };
+        let Some(job) = &self.task.job else { return false };
         let name = job.question.name.clone();
         self.task.stop(None, &mut model.out);
         let words = "stopped: unmark and mark it again".to_owned();
@@ -162,9 +158,7 @@ impl Screen for Comparison {
 
     /// Marks the choice of this place, or unmarks it, and makes room for the next name.
     fn mark_choice(&mut self, model: &mut AppModel, place: usize) {
-        let Some(choice) = model.choices.get(place) else {
-            return;
-        };
+        let Some(choice) = model.choices.get(place) else { return };
         model.notice = self.mark(&choice.name, choice.scenario.as_ref()).err();
         self.row = 1 + place;
         let name = choice.name.clone();
@@ -223,10 +217,7 @@ impl Screen for Comparison {
     }
 
     fn courses(&self, _: &AppModel) -> Vec<Trace> {
-        match self.pane {
-            REPLAYS => Vec::new(),
-            _ => vec![self.curve()],
-        }
+        if self.pane == REPLAYS { Vec::new() } else { vec![self.curve()] }
     }
 
     /// Those of the table, else of the form; none while some are being simulated.

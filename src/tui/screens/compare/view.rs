@@ -210,9 +210,7 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
     sheet.put((3, 0), fitted(brief(&entry.name), room), theme.strong());
     // In a row of one line what there is to say stands beside the name.
     let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
-    let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else {
-        return;
-    };
+    let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else { return };
     let style = if answer.spoiled().is_some() { theme.quiet() } else { theme.text() };
     for (of, right) in numbers {
         let (value, error) = cell(answer, *of, !entry.without_mesh);
@@ -256,9 +254,7 @@ fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
 fn overlaid(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let (theme, course) = (sheet.theme, compare.curve());
     let row = course.row();
-    let Some(window) = compare.window() else {
-        return;
-    };
+    let Some(window) = compare.window() else { return };
     // Each on the time of the first.
     let times = compare.entries.iter().map(|entry| {
         let answer = entry.answer()?;
@@ -331,9 +327,7 @@ fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
         let name = fitted(brief(&entry.name), usize::from(width) - 4);
         place.put((1, 0), mark(i).to_string(), theme.curve(i));
         place.put((3, 0), name, theme.strong());
-        let Some(shown) = answered(entry, (1, 2), place) else {
-            continue;
-        };
+        let Some(shown) = answered(entry, (1, 2), place) else { continue };
         let time = time + compare.shift(&shown.answer);
         let time = time.clamp(0.0, shown.answer.window());
         let picture = place.part((0, 1), (width - 1, height - 1));

@@ -47,10 +47,7 @@ const TALL: u16 = 20;
 
 /// What the program is for, where the narrowest screen has no room for it below the signs.
 fn purpose(area: Rect) -> Vec<String> {
-    match area.width {
-        ..NARROWEST => wrapped(PURPOSE, usize::from(area.width - 1)),
-        _ => Vec::new(),
-    }
+    if area.width < NARROWEST { wrapped(PURPOSE, usize::from(area.width - 1)) } else { Vec::new() }
 }
 
 /// Whether what the mark means is said at the foot of the form.
@@ -85,9 +82,7 @@ fn note(model: &AppModel, pane: usize) -> (String, fn(Theme) -> Style) {
 
 /// How a number is typed whose value is in doubt, once it has one.
 fn doubtful(typing: &Typing) -> Option<String> {
-    let Kind::Number(..) = typing.field.kind else {
-        return None;
-    };
+    let Kind::Number(..) = typing.field.kind else { return None };
     let text = typing.input.value().trim();
     let value = begun(text).unwrap_or(text);
     let tenth = 0.1 * value.parse::<f64>().ok()?.abs();

@@ -127,9 +127,7 @@ fn enter(model: &mut AppModel) {
 }
 
 fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
-    let Some(field) = fields::find(path) else {
-        return;
-    };
+    let Some(field) = fields::find(path) else { return };
     let present = model.shown.as_ref().map(|shown| match path {
         "window_ms" => shown.answer.window() * 1e3,
         _ => shown.answer.plan.step * 1e6,

@@ -12,9 +12,7 @@ const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█
 
 /// What to say of a field of the pulse beside what it allows; nothing where that is enough.
 pub fn described(scenario: &Scenario, path: &str) -> Option<String> {
-    let Impact::ForcePulse(pulse) = &scenario.impact else {
-        return None;
-    };
+    let Impact::ForcePulse(pulse) = &scenario.impact else { return None };
     let peak = format!("peak {} N", significant(pulse.peak_n()));
     let drawn = || drawn(&Pulse::new(pulse));
     Some(match (path, &pulse.shape) {

@@ -66,9 +66,7 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
 /// Draws the curves, each with its peak and when it came, and below them their time.
 pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let Some(recorded) = &shown.answer.run.traces else {
-        return;
-    };
+    let Some(recorded) = &shown.answer.run.traces else { return };
     let sparks = sparks(&shown.answer, nodes);
     let values = |of: &Quantity| Trace::Of(*of).values(recorded);
     let drawn = sparks.iter().map(|(of, _)| values(of));
@@ -88,9 +86,7 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
     let style = if spoiled { theme.quiet() } else { theme.strong() };
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = each * i as u16;
-        let Some(figure) = Figure::of(&shown.answer, quantity) else {
-            continue;
-        };
+        let Some(figure) = Figure::of(&shown.answer, quantity) else { continue };
         if top >= height {
             break;
         }
@@ -118,9 +114,7 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
 /// Draws with axes what else there is over time: stress of the wall, way of the cornea, or growth.
 pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let theme = sheet.theme;
-    let Some(traces) = &shown.answer.run.traces else {
-        return;
-    };
+    let Some(traces) = &shown.answer.run.traces else { return };
     let of = [Quantity::ScleralStress, Quantity::Apex, Quantity::ShellGrowth];
     let there = |of: &Quantity| !Trace::Of(*of).values(traces).is_empty();
     let there: Vec<Quantity> = of.into_iter().filter(there).take(2).collect();

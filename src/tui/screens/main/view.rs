@@ -145,8 +145,5 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, shee
 
 /// Where in a picture the eye is drawn: a mesh has its caption above, the anatomy its own words.
 pub fn drawn_in(picture: Rect, detail: MeshDetail) -> Rect {
-    match detail {
-        MeshDetail::Anatomy => picture,
-        _ => below(picture, 1),
-    }
+    if detail == MeshDetail::Anatomy { picture } else { below(picture, 1) }
 }

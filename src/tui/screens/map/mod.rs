@@ -81,9 +81,7 @@ impl Screen for Map {
 
 /// Gives the scenario the values under the cursor, of the inputs over which it was moved.
 fn adopt(map: &mut Map, model: &mut AppModel) {
-    let Some((moved, scenario)) = map.adopted(&model.work.scenario) else {
-        return;
-    };
+    let Some((moved, scenario)) = map.adopted(&model.work.scenario) else { return };
     if moved.is_empty() {
         let words = "the cursor stands on your values: the arrows move it";
         return model.notice = Some(words.to_owned());
