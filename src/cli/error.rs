@@ -6,7 +6,6 @@ use crate::run::refusal::Refusal;
 use crate::scenario::problem::ScenarioError;
 use crate::tui::OpenError;
 
-/// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
     /// The input was sound, but something went wrong.

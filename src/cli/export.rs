@@ -28,9 +28,8 @@ pub fn run(args: &ExportArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let case = Compiled::new(&scenario);
     let least_us = case.window() * 1e6 * case.eye.regions().len() as f64 / MAX_POSITIONS;
     if args.frames.is_some() && every_us < least_us {
-        return Err(CliError::Input(format!(
-            "--every-us {every_us}: too many frames for this mesh and window: allowed from {least_us:.4}"
-        )));
+        let why = format!("too many frames for this mesh and window: allowed from {least_us:.4}");
+        return Err(CliError::Input(format!("--every-us {every_us}: {why}")));
     }
     let keep = Keep { traces: args.traces.is_some(), frames: None };
     // Who is told to stop takes the unfinished file away.

@@ -18,10 +18,9 @@ pub fn measure(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), CliError>
     let scenario = args.scenario.scenario()?;
     let changes = &args.scenario.changes;
     if changes.integrator.is_some() || changes.step_us.is_some() {
-        return Err(CliError::Input(
-            "accuracy measures every integrator over its steps: leave out --integrator and --step-us"
-                .to_owned(),
-        ));
+        let what = "accuracy measures every integrator over its steps";
+        let why = format!("{what}: leave out --integrator and --step-us");
+        return Err(CliError::Input(why));
     }
     let chosen = args.result.as_ref().map(|key| result("--result", key)).transpose()?;
     let finest = args.finest_level.unwrap_or(accuracy::finest_tried(&scenario));
@@ -60,7 +59,6 @@ pub fn draw(args: &EnsembleArgs, out: &mut dyn Write) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The result that is called so, see [`meant`].
 fn result(flag: &str, name: &str) -> Result<Quantity, CliError> {
     meant(name).ok_or_else(|| {
         let near = five_nearest(name, Quantity::ALL.iter().map(|quantity| quantity.key()));
@@ -136,9 +134,8 @@ pub fn write_page(args: &ReportArgs, out: &mut dyn Write) -> Result<(), CliError
     let name = printable_path(&args.output);
     let Some(form) = page::PageFormat::of(&args.output) else {
         let name = quoted(&args.output.display().to_string());
-        return Err(CliError::Input(format!(
-            "-o {name}: the end of the name says what to write: allowed .html, .md, .svg"
-        )));
+        let why = "the end of the name says what to write: allowed .html, .md, .svg";
+        return Err(CliError::Input(format!("-o {name}: {why}")));
     };
     let asked = args.scenarios.scenarios()?;
     let entries = answered(&asked, |scenario| page::keep(scenario), "nothing was written")?;

@@ -27,9 +27,8 @@ use std::sync::LazyLock;
 use clap::{Args, Parser, Subcommand};
 use serde::Serialize;
 
-use crate::cli::{
-    arguments::ScenarioArgs, arguments::ScenariosArgs, error::CliError, sweep::Shard,
-};
+use crate::cli::arguments::{ScenarioArgs, ScenariosArgs};
+use crate::cli::{error::CliError, sweep::Shard};
 use crate::many::{ensemble::FEWEST_SAMPLES, ensemble::MAX_SAMPLES, sweep::SweepAxis};
 use crate::models::kernel_name;
 use crate::plain_text::{printable_path, write_json};

@@ -15,7 +15,6 @@ const KNOWN: Duration = Duration::from_secs(5);
 /// The line is written anew this often at most.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// A line on standard error, if that is a terminal, for work that takes long; any thread writes it.
 pub(super) struct Progress {
     began: Instant,
     visible: bool,

@@ -14,17 +14,15 @@ use crate::scenario::{EyeInput, Scenario, set::full_path};
 /// A simulation after which what takes many of them is announced, where no progress is seen.
 const LONG: Duration = Duration::from_secs(3);
 
-/// Prints the results, each with its error: the mesh error takes two finer meshes, and what the
-/// inputs are not known to a run for each.
+/// Prints the results, each with its errors of step, mesh and inputs.
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();
     let (began, progress) = (Instant::now(), Progress::new());
     let mut watch = progress.watch("simulating");
     if let (Some(_), Some(path)) = (args.tolerance, numerics_set(args, &scenario)) {
-        return Err(CliError::Input(format!(
-            "--set {path}: --tolerance chooses mesh level, integrator and step itself"
-        )));
+        let why = "--tolerance chooses mesh level, integrator and step itself";
+        return Err(CliError::Input(format!("--set {path}: {why}")));
     }
     let mut answer = if let Some(percent) = args.tolerance {
         let ladder = &mut choose::Ladder::default();

@@ -23,7 +23,6 @@ const LONGEST_LINE: u64 = 64 * 1024;
 pub struct Shard(usize, usize);
 
 impl Shard {
-    /// Reads `I/N`.
     pub fn read(typed: &str) -> Result<Self, &'static str> {
         let wanted = "expected I/N with I from 1 to N and N up to 1000000, as in 3/8";
         let (index, of) = typed.split_once('/').ok_or(wanted)?;
@@ -151,17 +150,14 @@ fn open(
         // What is longer than a row, or stands behind the last, is no row that was damaged.
         if number.is_none() && done < rows.len() && read < LONGEST_LINE {
             // Nobody is hurt if it is lost.
-            let _ = writeln!(
-                io::stderr(),
-                "{name}: line {line_number} is damaged: from there on rows are computed again"
-            );
+            let what = format!("line {line_number} is damaged");
+            let _ = writeln!(io::stderr(), "{name}: {what}: from there on rows are computed again");
             break;
         }
         if number.is_none() || number != rows.get(done).copied() {
-            return Err(refused(format!(
-                "line {line_number}: {} is not the next row of this shard",
-                quoted(text.trim_end())
-            )));
+            let held = quoted(text.trim_end());
+            let why = format!("line {line_number}: {held} is not the next row of this shard");
+            return Err(refused(why));
         }
         done += 1;
         whole += read;

@@ -143,10 +143,8 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         if study.scenes() == Scenes::Sides {
             // Of one core, for each scene.
             let each = if matches!(study, Study::Meshes(..)) { 0.5 } else { 0.15 };
-            let minutes = f64::from(count) * each;
-            progress.announce(&format!(
-                "checking {count} scenes, some {minutes:.0} minutes of one core ..."
-            ));
+            let minutes = format!("some {:.0} minutes of one core", f64::from(count) * each);
+            progress.announce(&format!("checking {count} scenes, {minutes} ..."));
         }
         check(study, count, seed, &|share| {
             progress.show("checking scenes", share);

@@ -126,8 +126,7 @@ pub fn text(found: &Findings, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// The table as one JSON object. A claim that did not hold comes with its scenario, to be run
-/// again.
+/// The table as one JSON object; a claim that did not hold comes with its scenario.
 pub fn json(found: &Findings) -> Value {
     let study = found.study;
     let miss = |(scene, claim): (u32, Claim)| {

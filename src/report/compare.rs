@@ -29,7 +29,6 @@ pub struct Table {
     pub heads: Vec<(&'static str, &'static str)>,
     /// A name, and a cell for each head.
     pub rows: Vec<(String, Vec<String>)>,
-    /// Notes on the whole table.
     pub notes: Vec<String>,
     /// Flags, gravest injury or refusal of each row, in words.
     remarks: Vec<String>,
@@ -66,12 +65,9 @@ impl Table {
         let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
-        Self {
-            rows: entries.iter().map(row).collect(),
-            notes: cut.into_iter().chain(legend(answers())).map(str::to_owned).collect(),
-            remarks: entries.iter().flat_map(remarks).collect(),
-            heads,
-        }
+        let notes = cut.into_iter().chain(legend(answers())).map(str::to_owned).collect();
+        let rows = entries.iter().map(row).collect();
+        Self { heads, rows, notes, remarks: entries.iter().flat_map(remarks).collect() }
     }
 
     /// Prints it in blocks that fit into 80 columns.
@@ -134,8 +130,7 @@ impl Table {
     }
 }
 
-/// Prints it as CSV: every result with its errors in %, then those that are at least so large,
-/// flags and refusal.
+/// Prints every result as CSV with its errors in %, then which were cut off, flags and refusal.
 pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     let mut head = vec!["preset".to_owned(), "name".to_owned()];

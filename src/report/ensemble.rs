@@ -6,7 +6,7 @@ use crate::many::bands::{Band, Checks};
 use crate::many::ensemble::{Ensemble, Timing};
 use crate::plain_text::printable;
 use crate::report::figure::{number_of, with_unit};
-use crate::report::format::{paragraph, percent, significant};
+use crate::report::format::{grouped, paragraph, percent, significant};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Value, json};
@@ -41,7 +41,6 @@ pub fn bar(correlation: f64, half: usize) -> String {
     format!("{left:>half$}│{right:<half$}")
 }
 
-/// Prints bands, drivers of one result, counts and cost.
 pub fn text(name: &str, ensemble: &Ensemble, of: Quantity, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}", printable(name))?;
     write!(out, "{} samples of seed {}", ensemble.samples.len(), ensemble.seed)?;
@@ -106,21 +105,16 @@ fn flat(ensemble: &Ensemble) -> Option<String> {
 
 /// Which results lie outside their bands as they stand, one line for each input that may be why.
 fn outside(ensemble: &Ensemble) -> Vec<String> {
-    let mut found: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
-    for of in ensemble.results() {
-        let Some(input) = ensemble.outside(of) else { continue };
-        let (why, label) = (input.map(|input| input.field.label), of.label());
-        match found.iter_mut().find(|(known, _)| *known == why) {
-            Some((_, labels)) => labels.push(label),
-            None => found.push((why, vec![label])),
-        }
-    }
+    let found = ensemble.results().into_iter().filter_map(|of| {
+        let why = ensemble.outside(of)?.map(|input| input.field.label);
+        Some((why, of.label()))
+    });
     let said = |(why, labels): &(Option<&str>, Vec<&str>)| {
         let why = why.map(|input| format!(", as {input} stands at an end of its spread"));
         let why = why.unwrap_or_default();
         format!("! as entered it lies outside its band: {}{why}", labels.join(", "))
     };
-    found.iter().map(said).collect()
+    grouped(found).iter().map(said).collect()
 }
 
 fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {

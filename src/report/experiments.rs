@@ -35,7 +35,6 @@ fn columns(what: &str, measured: &str, width: usize, figures: &[String]) -> Stri
     format!("{what:<41}{measured:>13}{}", figures.collect::<String>())
 }
 
-/// The line of an experiment.
 fn figures(experiment: &Experiment, width: usize, values: &[Result<f64, String>]) -> String {
     let values: Vec<String> = values.iter().map(number).collect();
     columns(experiment.what, &measured(experiment), width, &values)
@@ -213,13 +212,9 @@ mod tests {
             let (low, high) = experiment.measured.limits();
             let inside = if low.is_finite() { low } else { high };
             let finest = if i % 3 == 0 { f64::NAN } else { inside };
-            Rerun {
-                experiment,
-                predicted: [Ok(inside), Ok(inside), Ok(finest)],
-                published: experiment.fitted.then_some([Ok(1.0), Ok(2.0), Ok(3.0)]),
-                step_error: Some(0.1),
-                flags: Vec::new(),
-            }
+            let predicted = [Ok(inside), Ok(inside), Ok(finest)];
+            let published = experiment.fitted.then_some([Ok(1.0), Ok(2.0), Ok(3.0)]);
+            Rerun { experiment, predicted, published, step_error: Some(0.1), flags: Vec::new() }
         });
         let again = InOrbit {
             fitted: vec![(&EXPERIMENTS[0], FATS_MPA.map(|_| Ok(271.0)))],

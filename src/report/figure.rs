@@ -31,7 +31,6 @@ pub enum Off {
 }
 
 impl Off {
-    /// How far a result with these errors may be off.
     pub fn of(errors: &Errors, of: Quantity) -> Self {
         let Some(step) = errors.time_step[of] else {
             let unstated = of.row().family == Family::Unstated;
@@ -41,7 +40,6 @@ impl Off {
         mesh.map_or(Self::Limitless, |mesh| Self::Known(step + mesh))
     }
 
-    /// In % of the result, if it is known.
     pub fn percent(self) -> Option<f64> {
         if let Self::Known(error) = self { Some(error) } else { None }
     }
@@ -121,7 +119,6 @@ pub fn number_of(of: Quantity, value: f64, otherwise: impl FnOnce(f64) -> String
 }
 
 impl Figure {
-    /// A result of an answer, if the scene has it.
     pub fn of(answer: &Answer, of: Quantity) -> Option<Self> {
         let value = answer.result(of)?;
         let off = Off::of(&answer.errors, of);
@@ -130,17 +127,12 @@ impl Figure {
             off => within(value, off.percent()),
         });
         let cut = answer.cut(of);
-        Some(Self {
-            // Of a risk that is less than so much, and may grow, nothing is known.
-            number: if cut.is_some() && number.starts_with('<') { "0".to_owned() } else { number },
-            unit: of.row().unit,
-            off,
-            cut,
-        })
+        // Of a risk that is less than so much, and may grow, nothing is known.
+        let number = if cut.is_some() && number.starts_with('<') { "0".to_owned() } else { number };
+        Some(Self { number, unit: of.row().unit, off, cut })
     }
 
-    /// The number as a table shows it: a sign says what the end of the run means for it, see
-    /// [`cut_signs`].
+    /// The number as a table shows it, with a sign where the run cut it off, see [`cut_signs`].
     pub fn cell(&self) -> String {
         cut_before(self.cut).0.to_owned() + &self.number
     }
@@ -196,8 +188,7 @@ pub const PARTS: [(Quantity, Term); 3] = [
     (Quantity::Energy, ENERGY),
 ];
 
-/// A trace at one moment with its error, both in its unit, as in `12.3 ±0.4 N`. The error is that
-/// of the peak at any moment; a trace of no result has none.
+/// A trace at one moment, as in `12.3 ±0.4 N`, by the error of its peak; of no result without.
 pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
     let hit = answer.result(Quantity::Contact).is_some();
@@ -252,7 +243,6 @@ fn to_the_place(value: f64, error: f64) -> String {
     }
 }
 
-/// A number before its unit, if it has one.
 pub fn with_unit(number: &str, unit: &str) -> String {
     format!("{number} {unit}").trim_end().to_owned()
 }

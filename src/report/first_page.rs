@@ -6,7 +6,7 @@ use crate::answer::solve::Answer;
 use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
-use crate::report::format::{WIDTH, capital, wrapped};
+use crate::report::format::{WIDTH, capital, grouped, wrapped};
 use crate::report::{risks::first_line, risks::legend, risks::uncounted, text::row};
 use crate::run::{flags::Flag, quantity::Quantity};
 use crate::scenario::{Scenario, problem::plain};
@@ -50,7 +50,6 @@ pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
     page + MORE + "\n"
 }
 
-/// What hit what, in lines.
 fn what(scenario: &Scenario) -> Vec<String> {
     let object = scenario.projectile().map_or_else(String::new, |object| {
         let [mass, wide, speed] = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
@@ -89,22 +88,17 @@ fn injuries(answer: &Answer) -> (Vec<String>, Vec<String>) {
 
 /// What is to be said of the injuries, each once with the names that it is said of.
 fn notes(answer: &Answer, risks: &[Risk]) -> Vec<String> {
-    let mut said: Vec<(&str, Vec<&str>)> = Vec::new();
-    for risk in risks {
+    let said = risks.iter().flat_map(|risk| {
         let burst = risk.bursts().then_some(BURST);
-        for note in burst.into_iter().chain(risk.notes.iter().copied()) {
-            match said.iter_mut().find(|(known, _)| *known == note) {
-                Some((_, names)) => names.push(risk.injury.word()),
-                None => said.push((note, vec![risk.injury.word()])),
-            }
-        }
-    }
+        let notes = burst.into_iter().chain(risk.notes.iter().copied());
+        notes.map(move |note| (note, risk.injury.word()))
+    });
     let note = |(note, names): (&str, Vec<&str>)| {
         let all = names.len() == risks.len();
         if all { note.to_owned() } else { format!("{}: {note}", names.join(", ")) }
     };
     let without = uncounted(answer).map(|missing| format!("ranges without {missing}"));
-    said.into_iter().map(note).chain(without).chain([A_BB.to_owned()]).collect()
+    grouped(said).into_iter().map(note).chain(without).chain([A_BB.to_owned()]).collect()
 }
 
 /// The figures that lead, with their errors.
@@ -186,11 +180,9 @@ mod tests {
     fn page(name: &str, changes: &[(&str, &str)], more: &[FlagKind]) -> String {
         let scenario = preset(name, changes);
         let mut answer = answered(&scenario);
-        answer.flags.extend(more.iter().map(|kind| Flag {
-            kind: *kind,
-            message: "what happened is said in words that take a line of their own".to_owned(),
-            detail: None,
-            time: None,
+        answer.flags.extend(more.iter().map(|&kind| {
+            let message = "what happened is said in words that take a line of their own".to_owned();
+            Flag { kind, message, detail: None, time: None }
         }));
         let page = text(&scenario, &answer, true);
         assert!(page.lines().count() <= LINES, "{page}");

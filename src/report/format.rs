@@ -50,7 +50,6 @@ pub(super) fn or_dash(figure: Option<f64>, written: impl FnOnce(f64) -> String) 
     figure.map_or_else(|| "-".to_owned(), written)
 }
 
-/// Columns of a line.
 pub(super) const WIDTH: usize = 80;
 
 /// `text` in lines of at most `width` cells, broken between words but not before a percent sign.
@@ -75,11 +74,22 @@ pub(super) fn paragraph(text: &str, out: &mut dyn Write) -> io::Result<()> {
     block(text, "", "    ", out)
 }
 
-/// Prints a text in lines of 80 columns, with what stands before the first and before those that
-/// go on.
+/// Prints a text in lines of 80 columns, the first and the rest each after its indent.
 pub(super) fn block(text: &str, first: &str, rest: &str, out: &mut dyn Write) -> io::Result<()> {
     let mut lines = wrapped(text, WIDTH - rest.len()).into_iter().enumerate();
     lines.try_for_each(|(i, line)| writeln!(out, "{}{line}", if i == 0 { first } else { rest }))
+}
+
+/// Values by the keys that they come with, in the order in which keys come first.
+pub fn grouped<K: PartialEq, T>(pairs: impl IntoIterator<Item = (K, T)>) -> Vec<(K, Vec<T>)> {
+    let mut groups: Vec<(K, Vec<T>)> = Vec::new();
+    for (key, value) in pairs {
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, values)) => values.push(value),
+            None => groups.push((key, vec![value])),
+        }
+    }
+    groups
 }
 
 pub fn capital(label: &str) -> String {

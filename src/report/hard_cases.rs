@@ -30,11 +30,8 @@ pub fn text(outcomes: &[CaseOutcome], out: &mut dyn Write) -> io::Result<()> {
     write!(out, "\n{cases} cases: {accurate} accurate, {flagged} flagged, ")?;
     writeln!(out, "{unpredictable} not predictable, {refused} refused, {wrong} wrong")?;
     writeln!(out, "True error: the largest of damage, apex displacement and four peak forces,")?;
-    writeln!(
-        out,
-        "against references of much shorter steps on the same mesh. Claimed: step error."
-    )?;
-    writeln!(out, "Energy: what the energies miss of the work in.")
+    let against = "against references of much shorter steps on the same mesh";
+    writeln!(out, "{against}. Claimed: step error.\nEnergy: what the energies miss of the work in.")
 }
 
 pub fn json(outcomes: &[CaseOutcome]) -> Value {

@@ -29,7 +29,6 @@ fn by_limit(limits: &Limits) -> Value {
     known.collect()
 }
 
-/// How far the results may be off.
 fn errors(errors: &Errors) -> Value {
     let unknown = errors.without_limit().map(Quantity::key);
     json!({

@@ -20,8 +20,7 @@ pub mod text;
 pub mod threshold;
 pub mod tissue_fit;
 
-/// The commit that was built, where whoever built it said so: outside of a checkout the line of the
-/// guide that asks `git` says nothing.
+/// The commit that was built, where whoever built it said so.
 pub fn commit() -> Option<&'static str> {
     said(option_env!("CONTRECOUP_COMMIT"))
 }

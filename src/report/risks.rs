@@ -8,8 +8,7 @@ use crate::run::quantity::Quantity;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// What to say of each injury, under its name, and last what holds for all of them; in one line why
-/// nothing is said where that is so.
+/// What to say of each injury, last of all of them; in one line why nothing is said, if so.
 pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
     if let Some(silence) = answer.silence() {
         return vec![("injuries", silence.to_owned())];
@@ -77,8 +76,7 @@ pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     lines.iter().try_for_each(|line| block(line, "  ", "      ", out))
 }
 
-/// What one risk rests on, a sentence each: what its tissue felt, and what the published curves say
-/// of the energy of the blow.
+/// What one risk rests on: what its tissue felt, and what published curves say of the energy.
 pub fn basis(answer: &Answer, risk: &Risk) -> Vec<String> {
     let (injury, measure) = (risk.injury, risk.injury.measure());
     let (curve, row) = (injury.curve(), measure.row());

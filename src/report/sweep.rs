@@ -57,7 +57,6 @@ impl SweepFormat {
         }
     }
 
-    /// One line for a row of the sweep.
     pub fn row(self, sweep: &Sweep, row: &SweepRow) -> String {
         let (point, refused) = (row.outcome.as_ref().ok(), row.outcome.as_ref().err());
         let flags: Vec<&str> = point.iter().flat_map(|p| &p.flags).map(|f| f.name()).collect();
@@ -90,8 +89,7 @@ impl SweepFormat {
         }
     }
 
-    /// The number of the row that a line holds; none of a line that was changed since it was
-    /// written, by the sum that it ends with.
+    /// The number of a line's row; none if its sum tells that it was changed since it was written.
     pub fn number(self, sweep: &Sweep, line: &str) -> Option<usize> {
         let body = line.get(..line.len().checked_sub(self.ending(0).len())?)?;
         let number = match self {
@@ -108,7 +106,6 @@ impl SweepFormat {
         format!("{body}{}", self.ending(sum))
     }
 
-    /// What a row ends with.
     fn ending(self, sum: u64) -> String {
         match self {
             Self::Csv => format!(",{sum:016x}\n"),

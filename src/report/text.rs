@@ -4,9 +4,8 @@ use crate::answer::{results::Results, solve::Answer};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, PARTS, SCALE, cut_signs, error_signs};
 use crate::report::figure::{here_and_in_the_limit, times_its_limit, unusable, with_unit};
-use crate::report::format::{
-    WIDTH, block, capital, digits, paragraph, percent, significant, wrapped,
-};
+use crate::report::format::{WIDTH, block, paragraph, wrapped};
+use crate::report::format::{capital, digits, percent, significant};
 use crate::report::{json::AZIMUTH, risks};
 use crate::run::model::{Detail, Shown};
 use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
@@ -121,7 +120,6 @@ pub(super) fn row(name: &str, figure: &Figure, more: &str) -> String {
     }
 }
 
-/// The damage index and its parts.
 fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     if let Some(why) = unusable(answer) {
         paragraph(&format!("{why}; raw figures:"), out)?;
@@ -189,8 +187,7 @@ fn largest_other(errors: &Results) -> Option<String> {
     (largest.1 > errors.worst()?.1).then(|| named(largest))
 }
 
-/// The results that finer meshes do not agree on, in a sentence; empty where the mesh error was
-/// not estimated or all have one.
+/// Which results finer meshes do not agree on; empty where on all, or where none was asked.
 fn unknown_limits(answer: &Answer) -> String {
     let Some(mesh) = &answer.errors.mesh else { return String::new() };
     let names: Vec<&str> = answer.errors.without_limit().map(Quantity::label).collect();
@@ -205,7 +202,6 @@ fn unknown_limits(answer: &Answer) -> String {
     }
 }
 
-/// An error with its result.
 fn named((of, error): (Quantity, f64)) -> String {
     format!("{} ({})", percent(error), of.label())
 }

@@ -20,7 +20,6 @@ fn at(search: &ThresholdSearch, crossing: &Crossing) -> String {
     with_unit(&allowing(crossing.at, Some(largest)), search.field.unit)
 }
 
-/// The value that the result is to reach.
 fn target(search: &ThresholdSearch) -> String {
     with_unit(&search.target.to_string(), search.quantity.row().unit)
 }
@@ -66,7 +65,6 @@ fn span(search: &ThresholdSearch, threshold: &Threshold) -> String {
     ends.join(" to ")
 }
 
-/// Prints where the result reaches the value.
 pub fn text(
     scenario: &Scenario,
     search: &ThresholdSearch,

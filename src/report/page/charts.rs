@@ -62,11 +62,9 @@ impl PageChart {
         Some(text.replacen(&fixed, "<svg", 1))
     }
 
-    /// The names of its curves with the colour of each, to stand where they hide nothing; none of a
-    /// single curve, which the title names.
+    /// The names of its curves with their colours, to stand beside it; none of a single curve.
     pub fn names(&self) -> Vec<(&str, String)> {
-        let css =
-            |RGBColor(red, green, blue): &RGBColor| format!("color:rgb({red},{green},{blue})");
+        let css = |RGBColor(r, g, b): &RGBColor| format!("color:rgb({r},{g},{b})");
         let coloured = self.curves.iter().zip(COLOURS.iter().cycle());
         let named = coloured.map(|((name, _), colour)| (name.as_str(), css(colour)));
         named.filter(|_| self.curves.len() > 1).collect()
@@ -107,7 +105,6 @@ impl PageChart {
     }
 }
 
-/// A number on an axis.
 fn short(value: f64) -> String {
     if value.abs() < 1e-12 { "0".to_owned() } else { trimmed(value) }
 }
@@ -132,8 +129,7 @@ fn curve(answer: &Answer, course: Trace) -> Option<Curve> {
     Some((course.label(traces).to_owned(), points))
 }
 
-/// What drives the eye, and the forces of the monitored nodes where no object presses on it: beside
-/// that force they would be flat lines.
+/// What drives the eye, and forces of nodes, which would be flat lines beside that of an object.
 pub fn forces(answer: &Answer) -> PageChart {
     let hit = answer.result(Quantity::Contact).is_some();
     let nodes = TRACES.iter().copied();
@@ -161,8 +157,7 @@ pub fn drives(entries: &[Entry]) -> PageChart {
     PageChart::over_time("force on the eye, N", entries.iter().filter_map(one).collect())
 }
 
-/// The risk of each injury over what its tissue feels as a share of what brings 50 %, and the blow,
-/// which lies beside its curve where published energies count.
+/// The curve of each injury, and the blow, which lies beside it where published energies count.
 pub fn injuries(answer: &Answer) -> PageChart {
     let (mut curves, mut marks) = (Vec::new(), Vec::new());
     // The gravest first, and no more than can be told apart.
@@ -177,12 +172,8 @@ pub fn injuries(answer: &Answer) -> PageChart {
         curves.push((risk.injury.name().to_owned(), (0..=100).map(point).collect()));
         marks.push((i, (at, 100.0 * risk.risk)));
     }
-    PageChart {
-        across: "what the tissue felt, as a share of what hurts half of all eyes",
-        up: "risk, %".to_owned(),
-        curves,
-        marks,
-    }
+    let across = "what the tissue felt, as a share of what hurts half of all eyes";
+    PageChart { across, up: "risk, %".to_owned(), curves, marks }
 }
 
 #[cfg(test)]
@@ -191,11 +182,9 @@ mod tests {
 
     #[test]
     fn a_chart_is_drawn_with_its_names_and_nothing_is_drawn_of_nothing() {
-        let chart = |points: Vec<(f64, f64)>| PageChart {
-            across: "ms",
-            up: "force, N".to_owned(),
-            curves: vec![("a < b".to_owned(), points)],
-            marks: vec![(0, (1.0, 2.0))],
+        let chart = |points: Vec<(f64, f64)>| {
+            let (curves, marks) = (vec![("a < b".to_owned(), points)], vec![(0, (1.0, 2.0))]);
+            PageChart { across: "ms", up: "force, N".to_owned(), curves, marks }
         };
         let svg = chart(vec![(0.0, 0.0), (1.0, 2.0)]).svg().unwrap();
         assert!(svg.starts_with("<svg viewBox=") && svg.contains("force, N"));

@@ -12,7 +12,6 @@ use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use crate::scenario::fields::{FIELDS, Field, Kind, find};
 
-/// Where the model comes from.
 const SOURCE: &str = "V. Sathyanarayanan, K. Mahadas and G. K. Hung, Homeomorphic Model of the Effect of Impact \
     Trauma on the Human Eye, J Comput Sci Syst Biol 6 (2013) 317-326, doi:10.4172/jcsb.1000128";
 /// Frames of the replay at most, half of them in the time in which most happens, in s.
@@ -33,12 +32,8 @@ pub fn keep(scenario: &Scenario) -> Keep {
 pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
     let early = LIVELY.min(0.5 * window);
     let half = (0.5 * frames).round();
-    Spacing {
-        early: half as u32,
-        early_every: early / half,
-        every: (window - early) / half,
-        doubles: false,
-    }
+    let (early_every, every) = (early / half, (window - early) / half);
+    Spacing { early: half as u32, early_every, every, doubles: false }
 }
 
 /// The version that answered, and what counts more than any result.
@@ -69,17 +64,15 @@ pub(super) fn inputs(scenario: &Scenario) -> Vec<(&'static str, String)> {
     FIELDS.iter().filter(|field| field.path != "name").filter_map(asked).collect()
 }
 
-/// A result as a row: name, value with as many digits as its errors allow, unit, when, and both
-/// errors.
+/// The results as rows: name, value, unit, when, step error and mesh error.
 pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<[String; 6]> {
     let Errors { time_step, mesh, .. } = &answer.errors;
     let row = |(of, _): (Quantity, f64)| {
         let value = Figure::of(answer, of).map(|figure| {
             format!("{} {}", cut_before(figure.cut).1, figure.number).trim_start().to_owned()
         });
-        let at = answer
-            .peak(of)
-            .map(|peak| format!("{:.3} ms{}", peak.time * 1e3, remark(scenario, answer, of)));
+        let ms = answer.peak(of).map(|peak| peak.time * 1e3);
+        let at = ms.map(|ms| format!("{ms:.3} ms{}", remark(scenario, answer, of)));
         let mesh = mesh.as_ref().and_then(|errors| errors[of]);
         let [step, mesh] = [time_step[of], mesh].map(|error| or_dash(error, percent));
         let (name, unit) = (capital(of.row().label), of.row().unit.to_owned());
@@ -104,7 +97,6 @@ pub(super) fn sources(entries: &[Entry]) -> Vec<&'static str> {
     sources
 }
 
-/// What the mesh is, in words.
 pub(super) fn mesh(answer: &Answer, scenario: &Scenario) -> String {
     format!("{}; mesh level {}", scenario.description(), answer.case.level())
 }

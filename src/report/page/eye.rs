@@ -21,7 +21,6 @@ use crate::run::drawing::{Drawing, DrawnCell};
 use crate::run::kept::{Frame, nearest};
 use crate::run::quantity::Quantity;
 
-/// Twentieths of a millimetre.
 const PER_M: f64 = 2e4;
 /// The smallest thing that shows, in m.
 const GRAIN_M: f64 = 0.15e-3;
@@ -60,12 +59,10 @@ pub struct Picture<'a> {
     /// Cells of the globe, and nodes at their corners.
     cells: Vec<DrawnCell>,
     nodes: Vec<usize>,
-    /// The frame of the peak.
     peak: usize,
 }
 
 impl<'a> Picture<'a> {
-    /// Of an answer that has frames.
     pub fn of(answer: &'a Answer) -> Option<Self> {
         let kept = &answer.run.frames[..];
         kept.first()?;
@@ -81,15 +78,9 @@ impl<'a> Picture<'a> {
         let places: BTreeSet<usize> = moments.chain([deepest]).collect();
         let peak = places.range(..deepest).count();
         let frames = places.into_iter().map(|place| &kept[place]).collect();
-        Some(Self {
-            frames,
-            anatomy: Anatomy::of(&drawing),
-            field: (field, field.largest(&drawing, kept)),
-            drawing,
-            nodes: nodes.into_iter().collect(),
-            cells,
-            peak,
-        })
+        let (anatomy, field) = (Anatomy::of(&drawing), (field, field.largest(&drawing, kept)));
+        let nodes = nodes.into_iter().collect();
+        Some(Self { frames, drawing, anatomy, field, cells, nodes, peak })
     }
 
     /// The time of the peak that is shown, in s.
@@ -118,7 +109,6 @@ impl<'a> Picture<'a> {
         self.anatomy.layers(&self.drawing, frame, detail)
     }
 
-    /// [`Self::view`] as SVG has it.
     pub fn view_box(&self) -> String {
         self.view().map(|side| side.to_string()).join(" ")
     }
@@ -169,9 +159,8 @@ impl<'a> Picture<'a> {
         at_it.map(|(cell, _)| closed(&cell.corners.map(place))).collect()
     }
 
-    /// Everything that the script moves the paths by: of the first frame the places, of each other
-    /// one how far they have moved since, which takes fewer digits. Lines that have another number
-    /// of corners than before stand as they are.
+    /// What the script moves the paths by: the places of the first frame, of each other one how far
+    /// they moved since. Lines that have another number of corners than before stand as they are.
     pub fn motion(&self) -> Value {
         let frames = || self.frames.iter().copied();
         let layers: Vec<Vec<Shape>> = frames().map(|frame| self.layers(frame)).collect();
@@ -197,8 +186,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// The first of several lists of numbers, and of each other one by how much it differs from the
-/// one before, if that is as long; a space where it is the same.
+/// The first list of numbers, and the moves to each other one: a space where there are none.
 fn moves(lists: &[Vec<i64>]) -> Vec<String> {
     let by = |pair: &[Vec<i64>]| {
         if pair[0] == pair[1] {

@@ -21,7 +21,6 @@ use crate::run::watch::unwatched;
 
 pub use crate::report::page::content::keep;
 
-/// What a page is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString)]
 #[strum(ascii_case_insensitive)]
 pub enum PageFormat {

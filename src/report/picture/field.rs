@@ -16,7 +16,6 @@ const MOST_STRAIN: f64 = 0.5;
 const FRAMES: usize = 100;
 const LARGE_M: f64 = 6e-3;
 
-/// What fills the globe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TissueField {
     /// Pressure in its cells, Pa.

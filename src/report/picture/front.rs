@@ -20,7 +20,6 @@ const BONE_M: f64 = 3.5e-3;
 /// The rims of iris and pupil, as shares of the limbus.
 const IRIS: f64 = 0.88;
 const PUPIL: f64 = 0.32;
-/// Corners of a circle.
 const CORNERS: usize = 72;
 /// A blow straight on has no larger part to a side than this share.
 const STRAIGHT: f64 = 1e-9;
@@ -46,11 +45,9 @@ pub fn seen(drawing: &Drawing, frame: &Frame) -> Option<FrontFrame> {
         let rest = drawing.at_rest(&drawing.nodes[**node]);
         libm::atan2(rest.y.abs(), -rest.x)
     };
-    Some(FrontFrame {
-        limbus: circle(middle, aside(shell.iter().find(|node| front(node) >= limbus)?)),
-        equator: circle(middle, shell.iter().map(aside).fold(0.0, f64::max)),
-        object: middle,
-    })
+    let limbus = circle(middle, aside(shell.iter().find(|node| front(node) >= limbus)?));
+    let equator = circle(middle, shell.iter().map(aside).fold(0.0, f64::max));
+    Some(FrontFrame { limbus, equator, object: middle })
 }
 
 fn mean(ring: &[Point2<f64>]) -> Point2<f64> {
@@ -64,8 +61,7 @@ fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
     ring.iter().map(|at| middle + (at - middle) * times).collect()
 }
 
-/// All layers of a frame, the later over the earlier, `grain` m the smallest thing that shows;
-/// none of a section that is hit from the side.
+/// All layers of a frame as [`seen`], the later over the earlier; no less than `grain` m shows.
 pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Option<Vec<Shape>> {
     let front = seen(drawing, frame)?;
     let across = |at: Point2<f64>| match side {

@@ -84,7 +84,6 @@ impl Shape {
         Self { part, rings: vec![ring] }
     }
 
-    /// Whether a place lies in one of its rings.
     fn holds(&self, at: Point2<f64>) -> bool {
         self.rings.iter().any(|ring| {
             let crossed = sides(ring).filter(|[a, b]| {
@@ -96,7 +95,6 @@ impl Shape {
     }
 }
 
-/// How a picture is made.
 #[derive(Debug, Clone, Copy)]
 pub struct DrawnDetail {
     /// The smallest thing that it can show, in m.
@@ -136,7 +134,6 @@ pub struct Anatomy {
 }
 
 impl Anatomy {
-    /// Of an eye as it rests.
     pub fn of(drawing: &Drawing) -> Self {
         let mm = |x: f64, y: f64| Point2::new(x * 1e-3, y * 1e-3);
         let held = |places: Vec<Point2<f64>>| -> Vec<Held> {
@@ -155,12 +152,9 @@ impl Anatomy {
             let corners = [(-8.7, 7.3), (-7.6, 8.4), (-6.3, 9.3), (-6.4, 8.0), (-6.9, 6.3)];
             held(corners.map(|(x, y)| mm(x, side * y)).to_vec())
         };
-        Self {
-            lens: held(lens.collect()),
-            iris: [1.0, -1.0].map(iris),
-            ciliary: [1.0, -1.0].map(ciliary),
-            rest: Outline::new(drawing, POINTS, |node| drawing.at_rest(&drawing.nodes[node])),
-        }
+        let (iris, ciliary) = ([1.0, -1.0].map(iris), [1.0, -1.0].map(ciliary));
+        let rest = Outline::new(drawing, POINTS, |node| drawing.at_rest(&drawing.nodes[node]));
+        Self { lens: held(lens.collect()), iris, ciliary, rest }
     }
 
     /// The outline of the globe at rest.
@@ -282,7 +276,6 @@ fn shell_layers(
     shapes
 }
 
-/// The cells of the globe.
 pub fn globe_cells(drawing: &Drawing) -> impl Iterator<Item = &DrawnCell> {
     let outside = |node: &usize| matches!(drawing.nodes[*node].region, Region::Fat | Region::Orbit);
     drawing.cells.iter().filter(move |cell| !cell.corners.iter().any(outside))
@@ -293,7 +286,6 @@ fn left(of: Vector2<f64>) -> Vector2<f64> {
     Vector2::new(-of.y, of.x).try_normalize(0.0).unwrap_or_default()
 }
 
-/// A line of some width.
 fn stroke(part: Part, line: &[Point2<f64>], width: f64) -> Shape {
     let last = line.len().saturating_sub(1);
     let side = |by: f64| {
@@ -330,8 +322,7 @@ fn ellipse(middle: Point2<f64>, a: Vector2<f64>, b: Vector2<f64>) -> Vec<Point2<
     (0..SIDES).map(corner).collect()
 }
 
-/// The nerve from the back of the globe, which rests elsewhere, to the apex of the orbit: it keeps
-/// its length and bends.
+/// The nerve from the back of the globe to the apex of the orbit: it keeps its length and bends.
 fn nerve((back, rest): (Point2<f64>, Point2<f64>), apex: Point2<f64>) -> Shape {
     let along = apex - back;
     let (length, now) = ((apex - rest).norm(), along.norm());

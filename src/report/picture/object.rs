@@ -98,8 +98,7 @@ fn crossing(curve: &[Point2<f64>], from: Point2<f64>, way: Vector2<f64>) -> Opti
     met.min_by(f64::total_cmp)
 }
 
-/// Where an object cannot be whatever its outline says: behind the rim outside of the wall; where
-/// there is none, behind the globe.
+/// Where no object can be: behind the rim outside of the wall, or without one behind the globe.
 pub(super) fn hidden(wall: &[Point2<f64>], globe: &Outline, way: Vector2<f64>) -> Option<Shape> {
     let ring = if let [first, .., last] = wall {
         let out = (first - last).normalize();

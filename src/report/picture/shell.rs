@@ -62,7 +62,6 @@ impl Outline {
         Some(place * self.points.len() / drawing.outlines.shell.len())
     }
 
-    /// The point at the back.
     pub fn back(&self) -> usize {
         self.front.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i)
     }

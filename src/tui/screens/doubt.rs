@@ -108,11 +108,8 @@ impl Screen for Doubt {
 }
 
 impl Doubt {
-    /// Moves to another result.
     fn move_cursor(&mut self, model: &AppModel, by: isize) {
-        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
-            return;
-        };
+        let Some(ensemble) = model.ensemble.of(&model.work.scenario) else { return };
         let last = ensemble.results().len().saturating_sub(1);
         self.row = self.row.min(last).saturating_add_signed(by).min(last);
     }
@@ -141,9 +138,8 @@ fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let share = FIRST as f64 / f64::from(job.question.count);
     let until = job.pace.and_then(|pace| pace.until(share));
     let until = until.map_or_else(String::new, |until| format!(", in {until}"));
-    let when =
-        format!("The first bands come with sample {FIRST}{until}, and fill in from there.{each}");
-    vec![what.to_owned(), when]
+    let first = format!("The first bands come with sample {FIRST}{until}");
+    vec![what.to_owned(), format!("{first}, and fill in from there.{each}")]
 }
 
 fn status(model: &AppModel, theme: Theme) -> (String, Style) {
@@ -177,20 +173,15 @@ fn result(
     sheet: &mut Sheet,
 ) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let Some((band, _)) = shown_band(ensemble, answer, of) else {
-        return;
-    };
+    let Some((band, _)) = shown_band(ensemble, answer, of) else { return };
     let style = if chosen { theme.strong() } else { theme.text() };
     let sign = if chosen { "▸" } else { " " };
     sheet.put((0, 0), sign, theme.strong());
     let name = format!("{} {}", of.label(), of.row().unit);
     sheet.put((1, 0), fitted(&name, usize::from(LABEL + 1)), style);
     for (right, value) in ends().zip([band.low, band.median, band.high]) {
-        let text = if of.is_risk() {
-            format!("{value:.0}")
-        } else {
-            allowing(value, Some(0.1 * (band.high - band.low)))
-        };
+        let off = Some(0.1 * (band.high - band.low));
+        let text = if of.is_risk() { format!("{value:.0}") } else { allowing(value, off) };
         // One column is kept free, so that numbers do not touch.
         let texts = [text, numeral(value, NUMBER - 1)];
         sheet.put_right((right, 0), longest_fitting(&texts, NUMBER - 1), style);

@@ -7,9 +7,8 @@ use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::chart::{TimeChart, TimeCurve, active, mark, value_at};
 use crate::tui::view::{below, raster::Ink, sheet::Sheet, text::width};
-use crate::tui::{
-    clock::peak_said, keys::TimeKeys, model::AppModel, shown::ShownAnswer, step::Step,
-};
+use crate::tui::{clock::peak_said, keys::TimeKeys};
+use crate::tui::{model::AppModel, shown::ShownAnswer, step::Step};
 use strum::VariantArray;
 
 /// Charts that stand together under a name, each with the curves in it.
@@ -19,7 +18,6 @@ type View = (&'static str, Vec<Vec<Trace>>);
 const MAX_CHARTS: usize = 4;
 const MAX_CURVES: usize = 6;
 
-/// What the screen keeps to itself.
 #[derive(Clone, Copy, Default)]
 pub struct Forces {
     view: usize,
@@ -177,11 +175,10 @@ fn chart(
         [only] => recorded(traces).position(|course| course == *only),
         _ => None,
     };
-    let curves = (0_u8..).zip(courses).map(|(i, course)| TimeCurve {
-        time: &traces.time,
-        values: course.values(traces),
-        factor: course.row().factor,
-        ink: Ink::solid(theme.curve(first.unwrap_or(i.into())), 2 + i, mark(i.into())),
+    let curves = (0_u8..).zip(courses).map(|(i, course)| {
+        let ink = Ink::solid(theme.curve(first.unwrap_or(i.into())), 2 + i, mark(i.into()));
+        let (values, factor) = (course.values(traces), course.row().factor);
+        TimeCurve { time: &traces.time, values, factor, ink }
     });
     let reading = |course: &Trace| {
         let value = value_at(&traces.time, course.values(traces), cursor);
@@ -216,14 +213,9 @@ fn chart(
     let window = shown.answer.window();
     let values = courses.iter().map(|course| course.values(traces));
     let active = active(&traces.time, values, window);
-    TimeChart {
-        title: &title,
-        reading: &now,
-        curves: curves.collect(),
-        span: span(zoom, active, window, cursor),
-        cursor,
-    }
-    .draw(&mut sheet.at(below(area, lines - 1)));
+    let (curves, span) = (curves.collect(), span(zoom, active, window, cursor));
+    let chart = TimeChart { title: &title, reading: &now, curves, span, cursor };
+    chart.draw(&mut sheet.at(below(area, lines - 1)));
     let each = entries.len().div_ceil(lines.into()).max(1);
     for (y, line) in (0..).zip(entries.chunks(each)) {
         let mut x = LEGEND;

@@ -2,9 +2,8 @@
 
 use ratatui::style::Style;
 
-use crate::report::{
-    figure::at_a_moment, format::significant, picture::Part, picture::front::seen,
-};
+use crate::report::{figure::at_a_moment, format::grouped, format::significant};
+use crate::report::{picture::Part, picture::front::seen};
 use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
 use crate::tui::clock::{MeshDetail, peak_said};
@@ -25,7 +24,6 @@ const TALL: u16 = 30;
 /// Room at the right for legend and readings.
 const SIDE: u16 = 24;
 
-/// What the screen keeps to itself.
 #[derive(Default)]
 pub struct Replay {
     /// Whether the eye is seen from the front and not cut.
@@ -33,12 +31,10 @@ pub struct Replay {
 }
 
 impl Panes for Replay {
-    const PANES: &'static [Pane<Self>] = &[Pane::new(
-        "replay",
-        TimeKeys::Early,
-        &[PaneKeys::new("Replay", Self::FRAME_KEYS), FRONT],
-    )];
+    const PANES: &'static [Pane<Self>] = &[Pane::new("replay", TimeKeys::Early, &[FRAMES, FRONT])];
 }
+
+const FRAMES: PaneKeys<Replay> = PaneKeys::new("Replay", Replay::FRAME_KEYS);
 
 #[rustfmt::skip]
 const FRONT: PaneKeys<Replay> = PaneKeys::new("Replay", &[
@@ -47,7 +43,6 @@ const FRONT: PaneKeys<Replay> = PaneKeys::new("Replay", &[
 
 /// The keys of a screen that go from frame to frame, wherever the eye is replayed.
 pub trait FrameKeys: Screen + Sized {
-    /// The keys.
     #[rustfmt::skip]
     const FRAME_KEYS: &'static [Binding<Act<Self>>] = &[
         bind(&[LEFT, c('h')], |s, m| s.step(m, Step::LESS), "frame", "the frame before"),
@@ -68,11 +63,8 @@ impl Screen for Replay {
             return;
         };
         let (wide, high) = (area.width - SIDE, area.height - 3);
-        let drawn = EyePicture {
-            blow: Some(&shown.scenario),
-            front: self.front,
-            ..EyePicture::of(model, shown, model.time())
-        };
+        let plain = EyePicture::of(model, shown, model.time());
+        let drawn = EyePicture { blow: Some(&shown.scenario), front: self.front, ..plain };
         let anatomy = drawn.detail == MeshDetail::Anatomy;
         // What reaches the edge does not touch the legend.
         let field = sheet.part((0, 0), (wide - 1, high));
@@ -165,17 +157,10 @@ fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) 
     let more = of_blow.into_iter().filter(|_| hit).chain([(Part::Fat, "fat")]);
     let seen = NAMED.into_iter().chain(more).filter(|(part, _)| !front || part.is_outside());
     // Without colours several parts have one sign.
-    let mut signs: Vec<(String, Style, Vec<&str>)> = Vec::new();
-    for (part, name) in seen {
-        let (sign, style) = swatch(part, model.look);
-        match signs.iter_mut().find(|known| (&known.0, known.1) == (&sign, style)) {
-            Some((.., names)) => names.push(name),
-            None if sign == " " && style == Style::new() => {}
-            None => signs.push((sign, style, vec![name])),
-        }
-    }
+    let signs = seen.map(|(part, name)| (swatch(part, model.look), name));
+    let signs = signs.filter(|((sign, style), _)| sign != " " || *style != Style::new());
     let (mut x, mut y) = (0, 1);
-    for (sign, style, names) in signs {
+    for ((sign, style), names) in grouped(signs) {
         let lines = wrapped(&names.join(", "), usize::from(area.width - 3));
         let wide = lines.iter().map(|line| width(line) + 3).max().unwrap_or(0);
         if x > 0 && (area.height >= TALL || x + wide > area.width) {
@@ -244,21 +229,15 @@ fn time_bar(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let state = if model.clock.playing { "▶ playing" } else { "paused" };
     let text = format!("{:.3} of {} ms", time * 1e3, significant(window * 1e3));
     let end = sheet.put((1, 0), &text, theme.strong());
-    let rest = format!(
-        "  {state}  {} ms/s  {}",
-        model.clock.speed(),
-        model.clock.detail(shown.drawing.object.is_some()).name()
-    );
+    let detail = model.clock.detail(shown.drawing.object.is_some()).name();
+    let rest = format!("  {state}  {} ms/s  {detail}", model.clock.speed());
     sheet.put((end, 0), &rest, theme.text());
     let field = &mut sheet.part((1, 1), (area.width - 2, 2));
     if let Some(traces) = &shown.answer.run.traces {
         let mut raster = Raster::new(field.area, model.look.symbols);
-        let curve = TimeCurve {
-            time: &traces.time,
-            values: Trace::Other(OtherTrace::Drive).values(traces),
-            factor: 1.0,
-            ink: Ink::solid(theme.load(), 1, '#'),
-        };
+        let values = Trace::Other(OtherTrace::Drive).values(traces);
+        let ink = Ink::solid(theme.load(), 1, '#');
+        let curve = TimeCurve { time: &traces.time, values, factor: 1.0, ink };
         fill(&mut raster, curve, window);
         raster.paint(field.buffer);
     }

@@ -20,16 +20,13 @@ use crate::tui::{view::sheet::Sheet, view::theme::Theme, work::Work};
 pub struct About {
     /// Its name in the title bar.
     pub title: &'static str,
-    /// The question that it answers.
     pub question: &'static str,
     /// What it is for, in the words of the help.
     pub purpose: &'static str,
-    /// Makes one that holds nothing yet.
     pub new: fn() -> Box<dyn Screen>,
 }
 
 impl About {
-    /// A screen with this title, this question and this purpose.
     pub const fn new<S: Screen + Default>(
         title: &'static str,
         question: &'static str,
@@ -174,7 +171,6 @@ pub fn state_of_work(
 /// What a key of a screen does to it and to what the screens share.
 pub type Act<S> = fn(&mut S, &mut AppModel);
 
-/// A key of a screen.
 pub const fn bind<S>(
     presses: &'static [Press],
     act: Act<S>,
@@ -213,21 +209,17 @@ impl<S> PaneKeys<S> {
 
 /// A part of a screen that can have the focus.
 pub struct Pane<S: 'static> {
-    /// What it is called on the screen.
     pub name: &'static str,
     /// Its keys; the first table that counts and knows a key wins.
     pub keys: &'static [PaneKeys<S>],
-    /// Whether the keys of time count too.
     pub time: TimeKeys,
 }
 
 impl<S> Pane<S> {
-    /// A pane with these.
     pub const fn new(name: &'static str, time: TimeKeys, keys: &'static [PaneKeys<S>]) -> Self {
         Self { name, keys, time }
     }
 
-    /// Its tables of keys that count now.
     fn now(&self, screen: &S, model: &AppModel) -> impl Iterator<Item = &'static KeyTable<Act<S>>> {
         let now = self.keys.iter().filter(|keys| (keys.counts)(screen, model));
         now.map(|keys| &keys.table)
@@ -242,11 +234,8 @@ pub trait Panes: Sized + 'static {
 
 /// What is known of a pane whatever its screen.
 pub struct PaneFacts {
-    /// What it is called on the screen.
     pub name: &'static str,
-    /// All its keys.
     pub keys: Vec<KeyList>,
-    /// Whether the keys of time count too.
     pub time: TimeKeys,
 }
 
@@ -263,10 +252,8 @@ pub enum KeyOutcome {
 
 /// A screen by its keys. Every screen is one by its [`Panes`].
 pub trait Keyed {
-    /// Its panes.
     fn panes(&self) -> Vec<PaneFacts>;
 
-    /// The keys that count now.
     fn keys_now(&self, model: &AppModel) -> Vec<KeyList>;
 
     /// Does what a key stands for.

@@ -5,7 +5,6 @@ use crate::tui::view::chart;
 /// Fewer ticks than so many tell nothing of an axis.
 const FEW: usize = 3;
 
-/// A logarithmic axis between two values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogAxis {
     /// Common logarithm of its beginning.
@@ -81,10 +80,7 @@ mod tests {
         assert_eq!(ticks, ["4", "4.5", "5"]);
         let labels = [1e-6, 1e-3, 0.02, 0.1, 1.0, 50.0].map(tick_label);
         assert_eq!(labels, ["1e-6", "0.001", "0.02", "0.1", "1", "50"]);
-    }
-
-    #[test]
-    fn an_axis_over_one_value_or_none_still_has_a_length() {
+        // Over one value or none it still has a length.
         for axis in [LogAxis::over([3.0].into_iter()), LogAxis::over([0.0].into_iter())] {
             assert!(axis.high > axis.low && axis.share(3.0).is_finite());
         }

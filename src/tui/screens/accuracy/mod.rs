@@ -148,7 +148,6 @@ fn key(scenario: &Scenario) -> Scenario {
     key
 }
 
-/// All that the screen knows.
 #[derive(Debug, Default)]
 pub struct Measurement {
     /// What is known, and of which scenario.
@@ -157,7 +156,6 @@ pub struct Measurement {
     pub task: Task<MeasureAccuracy>,
     /// The run under the cursor, once it was moved: level, integrator's name and step in s.
     cursor: Option<(u32, &'static str, f64)>,
-    /// The result that was chosen.
     chosen: Option<Quantity>,
     /// Whether something more exact, or something faster, is to be proposed once it is known.
     wish: Option<bool>,
@@ -189,7 +187,6 @@ impl Measurement {
         Some((known, known.to_show(self.chosen)?))
     }
 
-    /// Shows the next result.
     fn next_result(&mut self, scenario: &Scenario) {
         if let Some((known, here)) = self.on_show(scenario) {
             self.chosen = Some(next_of(&known.results(), here, |_| true));
@@ -240,17 +237,13 @@ impl Measurement {
             return (known.done == known.all)
                 .then(|| Err(format!("nothing that was tried is {words}")));
         };
-        let ms = |total: &Total| significant(total.seconds * 1e3);
+        let [error, new_error] = [present, found].map(|total| percent(total.error()));
+        let [ms, new_ms] = [present, found].map(|total| significant(total.seconds * 1e3));
+        let (level, integrator) = (found.level, found.plan.integrator.name());
+        let by = format!("level {level}, {integrator}, step {} µs", significant(found.step * 1e6));
+        let label = of.label();
         let words = format!(
-            "Error of the {}: {} → {}. Time: {} → {} ms. By level {}, {}, step {} µs.",
-            of.label(),
-            percent(present.error()),
-            percent(found.error()),
-            ms(present),
-            ms(found),
-            found.level,
-            found.plan.integrator.name(),
-            significant(found.step * 1e6),
+            "Error of the {label}: {error} → {new_error}. Time: {ms} → {new_ms} ms. By {by}."
         );
         Some(Ok(Prompt::Adopt(words, Box::new(adopted(scenario, found)))))
     }

@@ -100,7 +100,6 @@ fn waiting(accuracy: &Measurement, model: &AppModel) -> String {
     }
 }
 
-/// The letters that are there.
 fn legend(shown: &[Total]) -> Vec<String> {
     let there = |of: &&Integrator| shown.iter().any(|total| total.plan.integrator == **of);
     let letters = Integrator::ALL.iter().filter(there).map(|of| letter_and_name(*of));
@@ -172,8 +171,7 @@ fn chart(shown: &[Total], cursor: usize, sheet: &mut Sheet) {
     let grain =
         (f64::from(columns) / f64::from(field.width), f64::from(rows) / f64::from(field.height));
     let front = shown.iter().filter(|total| total.on_front).map(cell);
-    let front: Vec<(f64, f64)> =
-        front.map(|(x, y)| ((x + 0.5) * grain.0, (y + 0.5) * grain.1)).collect();
+    let front: Vec<_> = front.map(|(x, y)| ((x + 0.5) * grain.0, (y + 0.5) * grain.1)).collect();
     let ink = Ink::solid(theme.cursor(), 0, '.');
     for pair in front.windows(2) {
         raster.line(pair[0], pair[1], ink);

@@ -24,11 +24,7 @@ impl Panes for Comparison {
     const PANES: &'static [Pane<Self>] = &[
         Pane::new(view::PANES[LIST], TimeKeys::Absent, &[LIST_KEYS]),
         Pane::new(view::PANES[TABLE], TimeKeys::Early, &[TABLE_KEYS]),
-        Pane::new(
-            view::PANES[REPLAYS],
-            TimeKeys::Early,
-            &[PaneKeys::new("Compare: replays", Self::FRAME_KEYS), ALIGN_KEYS],
-        ),
+        Pane::new(view::PANES[REPLAYS], TimeKeys::Early, &[FRAMES, ALIGN_KEYS]),
     ];
 }
 
@@ -57,6 +53,7 @@ const TABLE_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: table", &[
     ALIGN,
 ]);
 
+const FRAMES: PaneKeys<Comparison> = PaneKeys::new("Compare: replays", Comparison::FRAME_KEYS);
 const ALIGN_KEYS: PaneKeys<Comparison> = PaneKeys::new("Compare: time", &[ALIGN]);
 
 const ALIGN: Binding<Act<Comparison>> = bind(
@@ -93,9 +90,8 @@ impl Screen for Comparison {
             }
         }
         if left_out > 0 {
-            model.notice = Some(format!(
-                "only the first {MAX_MARKED} are marked for comparison, {left_out} are not"
-            ));
+            let only = format!("only the first {MAX_MARKED} are marked for comparison");
+            model.notice = Some(format!("{only}, {left_out} are not"));
         }
     }
 
@@ -121,9 +117,8 @@ impl Screen for Comparison {
             return;
         }
         let incomplete = self.incomplete().next();
-        let question = incomplete
-            .map(|(entry, answer)| OfMarked::new(entry, Complete::of(&entry.scenario, answer)));
-        if let Some(question) = question {
+        if let Some((entry, answer)) = incomplete {
+            let question = OfMarked::new(entry, Complete::of(&entry.scenario, answer));
             self.rest.ask(question, &mut model.out);
         }
     }
@@ -132,9 +127,7 @@ impl Screen for Comparison {
         if let Some((asked, rest)) = self.rest.take_report(report) {
             self.complete(&asked, rest);
         }
-        let Some((asked, outcome)) = self.task.take_report(report) else {
-            return;
-        };
+        let Some((asked, outcome)) = self.task.take_report(report) else { return };
         let why = self.task.complaint.take().map(|(_, why)| why);
         let found = match outcome {
             Some(answer) => Found::Answer(ShownAnswer::new(asked.scenario.clone(), answer).into()),
@@ -155,9 +148,7 @@ impl Screen for Comparison {
             self.complete(&asked, None);
             return true;
         }
-        let Some(job) = &self.task.job else {
-            return false;
-        };
+        let Some(job) = &self.task.job else { return false };
         let name = job.question.name.clone();
         self.task.stop(None, &mut model.out);
         let words = "stopped: unmark and mark it again".to_owned();
@@ -167,9 +158,7 @@ impl Screen for Comparison {
 
     /// Marks the choice of this place, or unmarks it, and makes room for the next name.
     fn mark_choice(&mut self, model: &mut AppModel, place: usize) {
-        let Some(choice) = model.choices.get(place) else {
-            return;
-        };
+        let Some(choice) = model.choices.get(place) else { return };
         model.notice = self.mark(&choice.name, choice.scenario.as_ref()).err();
         self.row = 1 + place;
         let name = choice.name.clone();
@@ -186,8 +175,7 @@ impl Screen for Comparison {
         };
         let called = called(source, original, scenario);
         self.fix_order();
-        let place = self.entries.iter().position(|entry| entry.name == name);
-        match place {
+        match self.entries.iter().position(|entry| entry.name == name) {
             Some(at) if self.entries[at].scenario == *scenario => {}
             Some(at) => self.keeping_row(|comparison| {
                 comparison.entries[at] = Marked::new(&called, scenario);
@@ -229,10 +217,7 @@ impl Screen for Comparison {
     }
 
     fn courses(&self, _: &AppModel) -> Vec<Trace> {
-        match self.pane {
-            REPLAYS => Vec::new(),
-            _ => vec![self.curve()],
-        }
+        if self.pane == REPLAYS { Vec::new() } else { vec![self.curve()] }
     }
 
     /// Those of the table, else of the form; none while some are being simulated.

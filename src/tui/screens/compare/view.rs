@@ -8,15 +8,13 @@ use crate::many::comparison::{ComparisonColumn, Found};
 use crate::report::figure::{Figure, Off};
 use crate::report::risks::{first_line, range};
 use crate::run::quantity::Quantity;
-use crate::tui::screens::compare::comparison::{
-    Alignment, Comparison, FORM, LIST, Marked, REPLAYS, TABLE, shown,
-};
+use crate::tui::screens::compare::comparison::{Alignment, Comparison, Marked, shown};
+use crate::tui::screens::compare::comparison::{FORM, LIST, REPLAYS, TABLE};
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
 use crate::tui::view::text::{fitted, longest_fitting, width};
 use crate::tui::view::{below, eye::EyePicture, raster::Ink, risks::longest, sheet::Sheet};
 use crate::tui::{model::AppModel, shown::ShownAnswer, work::brief};
 
-/// What its panes are called.
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
 
 pub fn draw(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
@@ -212,9 +210,7 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
     sheet.put((3, 0), fitted(brief(&entry.name), room), theme.strong());
     // In a row of one line what there is to say stands beside the name.
     let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
-    let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else {
-        return;
-    };
+    let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else { return };
     let style = if answer.spoiled().is_some() { theme.quiet() } else { theme.text() };
     for (of, right) in numbers {
         let (value, error) = cell(answer, *of, !entry.without_mesh);
@@ -239,8 +235,7 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
     sheet.put((3, 2), belief, theme.text());
 }
 
-/// A result with as many digits as its error allows, and that error, which the mesh may still add
-/// to; of a risk its range and its word.
+/// A result and its error, which the mesh may still add to; of a risk its range and its word.
 fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
     let risk = Injury::of(of).and_then(|injury| answer.risk(injury));
     if let (Some(risk), Some(range)) = (risk, range(answer, of)) {
@@ -248,24 +243,18 @@ fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
         // One of several words says no more than the range.
         return (range, if word.contains(' ') { String::new() } else { word });
     }
-    match Figure::of(answer, of) {
-        None => ("-".to_owned(), String::new()),
-        Some(Figure { number, off: Off::Known(_), .. })
-            if mesh_comes && answer.errors.mesh.is_none() =>
-        {
-            (number, "mesh …".to_owned())
-        }
-        Some(Figure { number, off, .. }) => (number, off.to_string().replace(' ', "")),
-    }
+    let Some(Figure { number, off, .. }) = Figure::of(answer, of) else {
+        return ("-".to_owned(), String::new());
+    };
+    let comes = mesh_comes && answer.errors.mesh.is_none() && matches!(off, Off::Known(_));
+    (number, if comes { "mesh …".to_owned() } else { off.to_string().replace(' ', "") })
 }
 
 /// One curve of every entry in one chart.
 fn overlaid(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let (theme, course) = (sheet.theme, compare.curve());
     let row = course.row();
-    let Some(window) = compare.window() else {
-        return;
-    };
+    let Some(window) = compare.window() else { return };
     // Each on the time of the first.
     let times = compare.entries.iter().map(|entry| {
         let answer = entry.answer()?;
@@ -293,17 +282,12 @@ fn overlaid(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     labels.dedup();
     let cursor = compare.time(model);
     let ms = format!("{:.3} ms", cursor * 1e3);
-    TimeChart {
-        title: &format!("{}, {}", labels.join(" or "), row.unit),
-        reading: &match compare.alignment {
-            Alignment::Clock => ms,
-            other => format!("{}, {ms}", other.words()),
-        },
-        curves,
-        span: (0.0, window),
-        cursor,
-    }
-    .draw(sheet);
+    let title = &format!("{}, {}", labels.join(" or "), row.unit);
+    let reading = &match compare.alignment {
+        Alignment::Clock => ms,
+        other => format!("{}, {ms}", other.words()),
+    };
+    TimeChart { title, reading, curves, span: (0.0, window), cursor }.draw(sheet);
 }
 
 /// Side by side, all at the same time and on the same scale of force.
@@ -343,18 +327,12 @@ fn replays(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
         let name = fitted(brief(&entry.name), usize::from(width) - 4);
         place.put((1, 0), mark(i).to_string(), theme.curve(i));
         place.put((3, 0), name, theme.strong());
-        let Some(shown) = answered(entry, (1, 2), place) else {
-            continue;
-        };
+        let Some(shown) = answered(entry, (1, 2), place) else { continue };
         let time = time + compare.shift(&shown.answer);
         let time = time.clamp(0.0, shown.answer.window());
         let picture = place.part((0, 1), (width - 1, height - 1));
-        EyePicture {
-            largest,
-            field: field(shown),
-            blow: Some(&entry.scenario),
-            ..EyePicture::of(model, shown, time)
-        }
-        .draw(picture.area, picture.buffer);
+        let (field, blow) = (field(shown), Some(&entry.scenario));
+        let drawn = EyePicture { largest, field, blow, ..EyePicture::of(model, shown, time) };
+        drawn.draw(picture.area, picture.buffer);
     }
 }

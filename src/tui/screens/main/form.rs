@@ -17,7 +17,6 @@ pub const DIAL: usize = 1;
 /// Lines that are said about a field at most.
 const MAX_NOTE_LINES: usize = 7;
 
-/// Draws the form.
 pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     // A name to save under stands in front without taking the form away.
@@ -40,7 +39,6 @@ pub fn draw(pane: usize, model: &AppModel, sheet: &mut Sheet) {
     sheet.put_lines((1, after), &purpose, theme.quiet());
 }
 
-/// What the mark beside a value means.
 pub const UNVERIFIED: &str = "? unverified figure";
 /// From so many columns on the form is one beside signs that say all.
 const NARROWEST: u16 = 28;
@@ -49,10 +47,7 @@ const TALL: u16 = 20;
 
 /// What the program is for, where the narrowest screen has no room for it below the signs.
 fn purpose(area: Rect) -> Vec<String> {
-    match area.width {
-        ..NARROWEST => wrapped(PURPOSE, usize::from(area.width - 1)),
-        _ => Vec::new(),
-    }
+    if area.width < NARROWEST { wrapped(PURPOSE, usize::from(area.width - 1)) } else { Vec::new() }
 }
 
 /// Whether what the mark means is said at the foot of the form.
@@ -87,9 +82,7 @@ fn note(model: &AppModel, pane: usize) -> (String, fn(Theme) -> Style) {
 
 /// How a number is typed whose value is in doubt, once it has one.
 fn doubtful(typing: &Typing) -> Option<String> {
-    let Kind::Number(..) = typing.field.kind else {
-        return None;
-    };
+    let Kind::Number(..) = typing.field.kind else { return None };
     let text = typing.input.value().trim();
     let value = begun(text).unwrap_or(text);
     let tenth = 0.1 * value.parse::<f64>().ok()?.abs();
@@ -199,7 +192,6 @@ fn shown_value(model: &AppModel, field: &Field) -> String {
     if field.unit.is_empty() { text } else { format!("{text} {}", field.unit) }
 }
 
-/// A choice as a person would say it.
 fn in_words(name: &str) -> String {
     match name {
         "Inflated" => "gas or foam".to_owned(),

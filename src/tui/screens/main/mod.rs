@@ -13,9 +13,8 @@ use std::mem::discriminant;
 use crate::scenario::{Scenario, fields, fields::Field};
 use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
-use crate::tui::keys::press::{
-    DOWN, ENTER, LEFT, Press, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
-};
+use crate::tui::keys::press::{DOWN, ENTER, LEFT, Press, RIGHT, UP, c};
+use crate::tui::keys::press::{SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP};
 use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::{changes::edit::change, ensemble::FEW};
@@ -44,7 +43,6 @@ impl Panes for Main {
     ];
 }
 
-/// What a number may begin with.
 #[rustfmt::skip]
 const NUMERALS: &[Press] = &[
     c('0'), c('1'), c('2'), c('3'), c('4'), c('5'), c('6'), c('7'), c('8'), c('9'), c('-'), c('.'),
@@ -129,9 +127,7 @@ fn enter(model: &mut AppModel) {
 }
 
 fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
-    let Some(field) = fields::find(path) else {
-        return;
-    };
+    let Some(field) = fields::find(path) else { return };
     let present = model.shown.as_ref().map(|shown| match path {
         "window_ms" => shown.answer.window() * 1e3,
         _ => shown.answer.plan.step * 1e6,

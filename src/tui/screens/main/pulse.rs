@@ -12,9 +12,7 @@ const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█
 
 /// What to say of a field of the pulse beside what it allows; nothing where that is enough.
 pub fn described(scenario: &Scenario, path: &str) -> Option<String> {
-    let Impact::ForcePulse(pulse) = &scenario.impact else {
-        return None;
-    };
+    let Impact::ForcePulse(pulse) = &scenario.impact else { return None };
     let peak = format!("peak {} N", significant(pulse.peak_n()));
     let drawn = || drawn(&Pulse::new(pulse));
     Some(match (path, &pulse.shape) {
@@ -62,32 +60,25 @@ mod tests {
     use super::*;
     use crate::scenario::{Curve, ForcePulse};
 
-    fn scenario(knots: &[(f64, f64)]) -> Scenario {
-        let mut pulse = ForcePulse::default();
-        pulse.follow(Curve::new(knots.iter().copied()).unwrap());
-        Scenario { impact: Impact::ForcePulse(pulse), ..Scenario::default() }
-    }
-
     #[test]
-    fn a_table_is_drawn_as_it_rises_and_falls_and_its_peak_is_said() {
-        let scenario = scenario(&[(0.0, 0.0), (0.1, 0.0), (0.15, 1.5), (0.2, 0.0)]);
-        let said = |path| described(&scenario, path).unwrap();
+    fn a_pulse_is_drawn_as_it_rises_and_falls_and_the_peak_of_a_table_is_said() {
+        let table = |knots: &[(f64, f64)]| {
+            let mut pulse = ForcePulse::default();
+            pulse.follow(Curve::new(knots.iter().copied()).unwrap());
+            Scenario { impact: Impact::ForcePulse(pulse), ..Scenario::default() }
+        };
+        let rising = table(&[(0.0, 0.0), (0.1, 0.0), (0.15, 1.5), (0.2, 0.0)]);
+        let said = |path| described(&rising, path).unwrap();
         let shape = said("impact.shape");
         assert!(shape.starts_with("▁▁▁▁▁▁▁▁▁▁▂▄▅▇██▇▅▄▂"), "{shape}");
         assert!(shape.contains("4 knots, peak 450"), "{shape}");
         assert!(said("impact.force_n").contains("peak 450"));
         assert!(said("impact.duration_ms").contains("recorded over 0.2 ms"));
-    }
-
-    #[test]
-    fn a_pull_is_drawn_below_zero() {
-        let shape = described(&scenario(&[(0.0, 1.0), (0.1, -1.0)]), "impact.shape").unwrap();
+        // A pull is drawn below zero.
+        let shape = described(&table(&[(0.0, 1.0), (0.1, -1.0)]), "impact.shape").unwrap();
         assert!(shape.starts_with('█'), "{shape}");
         assert_eq!(shape.chars().nth(COLUMNS - 1), Some('▁'), "{shape}");
-    }
-
-    #[test]
-    fn every_other_shape_is_drawn_where_it_is_chosen() {
+        // Any other shape is drawn where it is chosen.
         let said = |path| described(&Scenario::default(), path);
         assert!(said("impact.shape").unwrap().contains('█'));
         assert_eq!(said("impact.force_n"), None);

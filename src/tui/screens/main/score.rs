@@ -3,9 +3,8 @@
 
 use crate::answer::solve::Answer;
 use crate::injury::Term;
-use crate::report::figure::{
-    Figure, PARTS, SCALE, allowing, in_the_limit, times_its_limit, unusable,
-};
+use crate::report::figure::{Figure, PARTS, SCALE, allowing};
+use crate::report::figure::{in_the_limit, times_its_limit, unusable};
 use crate::report::{format::digits, risks::first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::view::risks::{comes, limits, rows};
@@ -96,7 +95,6 @@ pub fn index(shown: &ShownAnswer, sheet: &mut Sheet) {
     }
 }
 
-/// The index with its gauge, and its parts.
 fn gauges(shown: &ShownAnswer, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let answer = &shown.answer;
@@ -131,9 +129,8 @@ fn brief(shown: &ShownAnswer) -> [String; 2] {
     [format!("{long} times its limit"), said(|of| of.row().short, " ")]
 }
 
-/// Between what nine in ten samples of the inputs have the index where no risk has a range, the
-/// longest words first. Where the band holds fewer than were asked for, or folded ones, it says
-/// so, or bears a star that the screen of its own explains.
+/// The index of nine in ten samples where no risk has a range, the longest words first. A band of
+/// fewer than were asked for, or of folded ones, says so or bears a star that its screen explains.
 fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
     if shown.answer.silence().is_none() {
         return Vec::new();

@@ -8,8 +8,7 @@ use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
 use crate::tui::view::text::width;
 use crate::tui::{model::AppModel, shown::ShownAnswer, view::raster::Ink, view::sheet::Sheet};
 
-/// The results whose curves are drawn beside the eye, with their peaks: the node forces where they
-/// are asked for and where there is nothing else.
+/// The results drawn beside the eye: node forces where asked for or where there is nothing else.
 fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
     let peaks = |all: &[Quantity]| -> Vec<(Quantity, Peak)> {
         all.iter().filter_map(|q| Some((*q, answer.peak(*q)?))).collect()
@@ -25,9 +24,8 @@ pub const NARROWEST: u16 = 18;
 /// Longer names are cut where room is short.
 const LONGEST: usize = 7;
 
-/// The name of a curve, its peak with its error and the time of that, which together fit with a
-/// space between them. Where room is short the spaces give way, then letters of the name, the
-/// time, and at last the error.
+/// The name of a curve, its peak with its error, and the time of that, as they fit. Where room is
+/// short spaces give way, then letters of the name, the time, and at last the error.
 fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, String, String) {
     let name = of.row().short;
     let label = of.row().trace.map_or(name, |trace| trace.label);
@@ -68,9 +66,7 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
 /// Draws the curves, each with its peak and when it came, and below them their time.
 pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let Some(recorded) = &shown.answer.run.traces else {
-        return;
-    };
+    let Some(recorded) = &shown.answer.run.traces else { return };
     let sparks = sparks(&shown.answer, nodes);
     let values = |of: &Quantity| Trace::Of(*of).values(recorded);
     let drawn = sparks.iter().map(|(of, _)| values(of));
@@ -90,9 +86,7 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
     let style = if spoiled { theme.quiet() } else { theme.strong() };
     for (i, (quantity, peak)) in sparks.into_iter().enumerate() {
         let top = each * i as u16;
-        let Some(figure) = Figure::of(&shown.answer, quantity) else {
-            continue;
-        };
+        let Some(figure) = Figure::of(&shown.answer, quantity) else { continue };
         if top >= height {
             break;
         }
@@ -105,12 +99,8 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         if each < 2 || values.is_empty() {
             continue;
         }
-        let curve = TimeCurve {
-            time: &recorded.time,
-            values,
-            factor: 1.0,
-            ink: Ink::solid(theme.curve(i), 1, '*'),
-        };
+        let (time, ink) = (&recorded.time, Ink::solid(theme.curve(i), 1, '*'));
+        let curve = TimeCurve { time, values, factor: 1.0, ink };
         let field = &mut sheet.part((0, top + 1), (area.width, each - 1));
         spark(curve, span, model.time(), field);
         if area.width < TIMED {
@@ -121,13 +111,10 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
     }
 }
 
-/// Draws what else there is over time with its axes, as many as there is room for: the stress of
-/// the wall and how far the cornea is pushed in.
+/// Draws with axes what else there is over time: stress of the wall, way of the cornea, or growth.
 pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let theme = sheet.theme;
-    let Some(traces) = &shown.answer.run.traces else {
-        return;
-    };
+    let Some(traces) = &shown.answer.run.traces else { return };
     let of = [Quantity::ScleralStress, Quantity::Apex, Quantity::ShellGrowth];
     let there = |of: &Quantity| !Trace::Of(*of).values(traces).is_empty();
     let there: Vec<Quantity> = of.into_iter().filter(there).take(2).collect();
@@ -136,19 +123,13 @@ pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         let (course, row) = (Trace::Of(of), of.row());
         let values = course.values(traces);
         let reading = Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}"));
-        TimeChart {
-            title: &format!("{}, {}", course.label(traces), row.unit),
-            reading: &reading.unwrap_or_default(),
-            curves: vec![TimeCurve {
-                time: &traces.time,
-                values,
-                factor: row.factor,
-                ink: Ink::solid(theme.curve(i), 2, '*'),
-            }],
-            span: active(&traces.time, std::iter::once(values), shown.answer.window()),
-            cursor: model.time(),
-        }
-        .draw(&mut sheet.tile(i, (1, rows)));
+        let (time, ink) = (&traces.time, Ink::solid(theme.curve(i), 2, '*'));
+        let span = active(time, std::iter::once(values), shown.answer.window());
+        let curves = vec![TimeCurve { time, values, factor: row.factor, ink }];
+        let title = &format!("{}, {}", course.label(traces), row.unit);
+        let reading = &reading.unwrap_or_default();
+        let chart = TimeChart { title, reading, curves, span, cursor: model.time() };
+        chart.draw(&mut sheet.tile(i, (1, rows)));
     }
 }
 
@@ -161,12 +142,8 @@ mod tests {
     fn a_caption_keeps_its_parts_apart_and_its_error() {
         for &quantity in Quantity::FELT.iter().chain(&Quantity::FORCES) {
             for (number, error) in [("12", 35.0), ("5199", 0.016), ("0.20", 0.42), ("73", 119.0)] {
-                let figure = Figure {
-                    number: number.to_owned(),
-                    unit: quantity.row().unit,
-                    off: Off::Known(error),
-                    cut: None,
-                };
+                let (number, unit) = (number.to_owned(), quantity.row().unit);
+                let figure = Figure { number, unit, off: Off::Known(error), cut: None };
                 let peak = Peak { value: 1.0, time: 12.345e-3 };
                 for room in NARROWEST..50 {
                     let (label, value, time) = caption(quantity, &figure, peak, room);

@@ -3,11 +3,9 @@
 use ratatui::layout::Rect;
 
 use crate::injury::Injury;
-use crate::tui::screens::main::{form, score, traces};
+use crate::tui::screens::main::{form, form::DIAL, score, traces};
 use crate::tui::view::{below, eye::EyePicture, risks::signs, sheet::Sheet};
-use crate::tui::{
-    clock::MeshDetail, model::AppModel, screens::main::form::DIAL, shown::ShownAnswer,
-};
+use crate::tui::{clock::MeshDetail, model::AppModel, shown::ShownAnswer};
 
 /// Where the parts of the screen are.
 pub struct Layout {
@@ -129,11 +127,8 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, shee
     let theme = sheet.theme;
     let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
-    let drawn = EyePicture {
-        blow: Some(&model.work.scenario),
-        aiming,
-        ..EyePicture::of(model, shown, time)
-    };
+    let plain = EyePicture::of(model, shown, time);
+    let drawn = EyePicture { blow: Some(&model.work.scenario), aiming, ..plain };
     drawn.draw(drawn_in(picture, drawn.detail), sheet.buffer);
     if drawn.detail == MeshDetail::Anatomy {
         return;
@@ -150,8 +145,5 @@ fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, shee
 
 /// Where in a picture the eye is drawn: a mesh has its caption above, the anatomy its own words.
 pub fn drawn_in(picture: Rect, detail: MeshDetail) -> Rect {
-    match detail {
-        MeshDetail::Anatomy => picture,
-        _ => below(picture, 1),
-    }
+    if detail == MeshDetail::Anatomy { picture } else { below(picture, 1) }
 }

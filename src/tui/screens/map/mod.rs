@@ -7,9 +7,8 @@ use crate::many::sweep::spaced;
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::fields::{FIELDS, Field, find};
 use crate::scenario::{Scenario, doubt::number, set};
-use crate::tui::keys::press::{
-    DOWN, ENTER, LEFT, RIGHT, SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP, UP, c,
-};
+use crate::tui::keys::press::{DOWN, ENTER, LEFT, RIGHT, UP, c};
+use crate::tui::keys::press::{SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP};
 use crate::tui::request::{Report, TaskQuestion};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, follow, go_on, next_of};
 use crate::tui::{changes::edit::change, form::words, keys::TimeKeys, worker::run_watched};
@@ -82,9 +81,7 @@ impl Screen for Map {
 
 /// Gives the scenario the values under the cursor, of the inputs over which it was moved.
 fn adopt(map: &mut Map, model: &mut AppModel) {
-    let Some((moved, scenario)) = map.adopted(&model.work.scenario) else {
-        return;
-    };
+    let Some((moved, scenario)) = map.adopted(&model.work.scenario) else { return };
     if moved.is_empty() {
         let words = "the cursor stands on your values: the arrows move it";
         return model.notice = Some(words.to_owned());
@@ -122,7 +119,6 @@ pub struct DrawMap {
     pub scenario: Scenario,
     /// The inputs: across and up.
     pub spans: [Span; 2],
-    /// What is known already.
     pub known: Grid,
 }
 
@@ -144,9 +140,7 @@ impl TaskQuestion for DrawMap {
     }
 }
 
-/// All that the screen knows.
 pub struct Map {
-    /// The inputs: across and up.
     pub spans: Option<[Span; 2]>,
     /// What came last, and of which scenario and inputs.
     pub done: Option<(Scenario, [Span; 2], Grid)>,
@@ -156,20 +150,13 @@ pub struct Map {
     pub chosen: Option<Quantity>,
     /// Where the cursor stands on the finest grid.
     pub cursor: [usize; 2],
-    /// How far the ranges reach.
     reach: f64,
 }
 
 impl Default for Map {
     fn default() -> Self {
-        Self {
-            spans: None,
-            done: None,
-            task: Task::default(),
-            chosen: None,
-            cursor: [SIDE / 2; 2],
-            reach: REACH,
-        }
+        let (cursor, reach) = ([SIDE / 2; 2], REACH);
+        Self { spans: None, done: None, task: Task::default(), chosen: None, cursor, reach }
     }
 }
 
@@ -268,7 +255,6 @@ impl Map {
         self.task.complaint = None;
     }
 
-    /// Moves the cursor: across, or up.
     fn move_cursor(&mut self, step: Step, across: bool) {
         let by = if step.coarse { 4 } else { 1 };
         let by = if step.up { by } else { -by };
@@ -311,7 +297,6 @@ impl Map {
         there.unwrap_or(Quantity::Damage)
     }
 
-    /// Shows the next result that the map has.
     fn next_result(&mut self, scenario: &Scenario) {
         if let Some(grid) = self.grid(scenario) {
             let there = |of: &Quantity| grid.largest(*of).is_some();
@@ -342,7 +327,6 @@ mod tests {
     use crate::many::map::Spot;
     use crate::run::readings::PerQuantity;
 
-    /// The scenario that the app begins with, and its map.
     fn settled() -> (Scenario, Map) {
         let (scenario, mut map) = (Scenario::default(), Map::default());
         map.settle(&scenario);

@@ -148,12 +148,9 @@ impl Cells<'_> {
         Some(self.reading(at)?.value? / self.whole)
     }
 
-    /// How a cell looks.
     fn drawn(&self, at: (u16, u16), theme: Theme) -> (&'static str, Style) {
         const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
-        let Some(reading) = self.reading(at) else {
-            return (" ", theme.quiet());
-        };
+        let Some(reading) = self.reading(at) else { return (" ", theme.quiet()) };
         let Some(value) = reading.value.map(|value| value / self.whole) else {
             return ("·", theme.quiet());
         };
@@ -188,8 +185,7 @@ impl Cells<'_> {
         for (i, level) in (1..).zip(LINES) {
             let crossing = |row: u16| {
                 (1..field.width).find(|column| {
-                    let (before, here) =
-                        (self.share((column - 1, row)), self.share((*column, row)));
+                    let [before, here] = [column - 1, *column].map(|x| self.share((x, row)));
                     before.zip(here).is_some_and(|(a, b)| (a < level) != (b < level))
                 })
             };
@@ -197,9 +193,7 @@ impl Cells<'_> {
             let mut rows: Vec<u16> = (0..field.height).collect();
             rows.sort_by_key(|row| row.abs_diff(wanted));
             let mut crossings = rows.into_iter().filter_map(|row| Some((row, crossing(row)?)));
-            let Some((row, column)) = crossings.next() else {
-                continue;
-            };
+            let Some((row, column)) = crossings.next() else { continue };
             let figure = rounded(level * self.whole).to_string();
             let text = format!(" {} ", with_unit(&figure, self.of.row().unit));
             let left = column.saturating_sub(width(&text) / 2);
@@ -251,9 +245,7 @@ fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<
 
 /// What is known under the cursor.
 fn reading(map: &Map, model: &AppModel) -> String {
-    let Some(inputs) = map.inputs() else {
-        return String::new();
-    };
+    let Some(inputs) = map.inputs() else { return String::new() };
     let value = map.grid(&model.work.scenario).and_then(|grid| {
         let of = map.quantity(grid);
         let reading = grid.read(of, map.place())?;
