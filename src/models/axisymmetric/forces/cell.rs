@@ -30,9 +30,9 @@ pub(crate) const SQUEEZED: f64 = 0.05;
 /// What a corner triangle may lose of its volume in a step as long as the bound, as a share.
 pub(crate) const LOSS_IN_STEP: f64 = 0.5;
 /// How many times the least bound of its cells a mesh bears: its nodes carry the mass of all cells
-/// around them, and neighbours do not swell at once. By the largest eigenvalue of whole meshes, with
-/// their shells, 1.5 times at least (a paintball that is flat) and 2 in the middle, over 24 blows
-/// from rest to crushed on levels 1 to 3; tests ask some again.
+/// around them, and neighbours do not swell at once. By the largest eigenvalue of whole meshes and
+/// shells, 1.5 times at least (a paintball that is flat) and 2 in the middle, over 17 blows from
+/// rest to crushed on levels 1 to 3; tests ask some again.
 pub(crate) const ASSEMBLED: f64 = 1.4;
 /// Share of area or volume that a folded cell is taken to have, so that all stays finite.
 pub(crate) const FLAT: f64 = 1e-3;

@@ -16,7 +16,7 @@ const SHELL_AREAL: f64 = 0.44;
 /// The shell takes along its share of what lies behind, per length of a segment, in kg/m3.
 const ENTRAINED: f64 = 0.1 * 1000.0;
 /// Courant number of contact over that of the cells. By nodes, with all that moves with them, four
-/// times as much would be stable; the force of the monitored node that is hit would not be followed.
+/// times as much would be stable, but the force of the node that is hit would not be followed.
 const COURANT: f64 = 0.75;
 /// What is nearer to an object than this counts as touched by it, in m.
 pub(crate) const TOUCHING: f64 = 5e-5;

@@ -40,8 +40,8 @@ pub struct System {
     pub(crate) portable: bool,
     /// The machine's vectors.
     pub(crate) level: Level,
-    /// First slots of the vectors that hold anything that moves, rising; the last one twice, because
-    /// the sweep looks one ahead.
+    /// First slots of the vectors that hold anything that moves, rising; the last one twice, as the
+    /// sweep looks one ahead.
     pub(crate) active: Vec<u32>,
     places: Vec<RowPlace>,
     /// Force of the load against time.

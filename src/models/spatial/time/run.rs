@@ -143,8 +143,8 @@ pub(crate) struct Motion<'a> {
     pub dented: Vec<bool>,
     pub tension_passed: Vec<LowPass>,
     pub account: Account,
-    /// How long a run goes on after the last growth once the object has met bone, s: what is as wide
-    /// as the orbit pushes the globe aside, and lens and iris peak again as it comes back.
+    /// How long a run goes on after the last growth once the object has met bone, s: what is wide
+    /// pushes the globe aside, and lens and iris peak again as it comes back.
     pub swing_off_bone: f64,
     /// Energy of its flight that the object has spent on bone so far, J.
     pub at_bone: f64,
