@@ -123,16 +123,12 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
         }
     }
     let ranges: Vec<(f64, f64)> = answer.risks().iter().map(|risk| risk.range).collect();
+    let stated = answer.errors.time_step_percent();
     Ok(BriefAnswer {
         ranges: ranges.try_into().ok(),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
-        check: answer.errors.time_step_percent().map(|last| Check {
-            first,
-            last,
-            tried,
-            good_step,
-        }),
+        check: stated.map(|last| Check { first, last, tried, good_step }),
     })
 }
 

@@ -126,9 +126,6 @@ impl InputQuery {
             }
             ControlFlow::Continue(())
         });
-        if done < inputs.len() {
-            return Err(Refusal::Cancelled);
-        }
-        Ok(doubt)
+        if done < inputs.len() { Err(Refusal::Cancelled) } else { Ok(doubt) }
     }
 }

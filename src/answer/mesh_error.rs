@@ -126,18 +126,12 @@ impl MeshError {
         } else {
             limit(scenario, witness.map(|on| &on.results), levels[1])
         };
-        let flag = first.filter(|_| own.folded.is_none());
-        Self {
-            errors: against(&limits, &own.results),
-            limits,
-            flag: flag.map(|(at, time)| {
-                let ms = time * 1e3;
-                let said = format!(
-                    "the mesh of level {at} folds at {ms:.3} ms: the model is near its end"
-                );
-                Flag::new(FlagKind::FinerMeshFolds, said, Some(time))
-            }),
-        }
+        let flag = first.filter(|_| own.folded.is_none()).map(|(at, time)| {
+            let when = format!("the mesh of level {at} folds at {:.3} ms", time * 1e3);
+            let said = format!("{when}: the model is near its end");
+            Flag::new(FlagKind::FinerMeshFolds, said, Some(time))
+        });
+        Self { errors: against(&limits, &own.results), limits, flag }
     }
 }
 

@@ -4,8 +4,7 @@ use crate::injury::PerInjury;
 use crate::run::quantity::{Family, Leads, Quantity};
 use crate::run::readings::PerQuantity;
 
-/// Values in the unit of each result, or errors in % of it; `None` where the scene has no such
-/// result.
+/// Values in the unit of each result, or errors in % of it; `None` of what the scene has not.
 pub type Results = PerQuantity<Option<f64>>;
 
 impl Results {
@@ -39,8 +38,7 @@ impl Results {
         self.worst().map_or(0.0, |(_, error)| error)
     }
 
-    /// |self - b| in % of b for each result that both have and an error is stated of; 0 where both
-    /// are nothing but rounding.
+    /// |self - b| in % of b, of what both have and an error is stated of; 0 where both are rounding.
     #[must_use]
     pub fn difference_percent(&self, b: &Self) -> Self {
         self.apart_percent(b, b)

@@ -48,18 +48,14 @@ impl Errors {
 
     /// The results that have no limit as the mesh gets finer, or none that could be seen.
     pub fn without_limit(&self) -> impl Iterator<Item = Quantity> {
-        let errors = self.mesh.as_ref();
-        let unknown =
-            move |(quantity, _): &(Quantity, f64)| errors.is_some_and(|e| e[*quantity].is_none());
-        self.time_step.present().filter(unknown).map(|(quantity, _)| quantity)
+        let mesh = self.mesh.as_ref();
+        let unknown = move |of: &Quantity| mesh.is_some_and(|mesh| mesh[*of].is_none());
+        self.time_step.present().map(|(of, _)| of).filter(unknown)
     }
 }
 
 /// Of an eye that is pressed flat, a range that leaves out no more at each end says nothing.
 const OPEN: f64 = 0.05;
-
-/// Said of an eye that nothing touched.
-const MISSED: &str = "none: the object never touches the eye";
 
 /// What a run that ended too early says of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -174,7 +170,7 @@ impl Answer {
     /// Why there are no risks, in one line; none where there are.
     pub fn silence(&self) -> Option<&'static str> {
         if self.run.missed {
-            return Some(MISSED);
+            return Some("none: the object never touches the eye");
         }
         let any = self.run.readings[Injury::GlobeRupture.measure()];
         any.is_none().then_some(self.case.rules().silence)
@@ -300,8 +296,7 @@ struct Measured {
 }
 
 impl Measured {
-    /// By its energy where one of them does not keep it to `balance_percent`, else by its step
-    /// error.
+    /// By its energy where one does not keep it to `balance_percent`, else by its step error.
     fn is_better_than(&self, other: &Self, balance_percent: f64) -> bool {
         let balance = |run: &Self| run.errors.energy_balance.max(balance_percent);
         let error = |run: &Self| run.errors.time_step.headline();

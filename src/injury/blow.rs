@@ -33,8 +33,7 @@ pub struct Blow {
     pub tested: f64,
     /// How much wider the object is than any that was tested, 0 to 1.
     pub wider: f64,
-    /// How far from straight on, 0 (10 degrees or less) to 1 (20 or more), where the places of the
-    /// eye turn with the blow.
+    /// How far from straight on, 0 (to 10 degrees) to 1 (from 20), where places turn with the blow.
     pub aslant: f64,
     /// How much its injuries hang on bone that is taken as a round rim, 0 to 1.
     pub round_rim: f64,

@@ -6,10 +6,8 @@
 use crate::plain_text::printable;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
-use crate::scenario::{
-    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, doubt, fields,
-};
-use crate::scenario::{Projectile, Scenario, Support};
+use crate::scenario::{FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile};
+use crate::scenario::{Scenario, Support, doubt, fields};
 use std::ops::Deref;
 
 /// A scenario whose every value is allowed: what simulations take. It cannot be changed.

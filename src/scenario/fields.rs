@@ -7,11 +7,9 @@ mod words;
 
 use self::words::Directions;
 use crate::scenario::{FASTEST_M_S, ForcePulse, Geometry, Impact, auto::AUTO, direction::HOURS};
-use crate::scenario::{
-    Integrator, Lens, Model, Outline, Physiological, integrator, problem::plain,
-};
-use crate::scenario::{Projectile, ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species};
-use crate::scenario::{Support, Surface};
+use crate::scenario::{Integrator, Lens, Model, Outline, Physiological, Projectile};
+use crate::scenario::{ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species, Support};
+use crate::scenario::{Surface, integrator, problem::plain};
 
 /// Characters that a name may have.
 pub const LONGEST_NAME: usize = 80;
@@ -212,13 +210,9 @@ const INTEGRATORS: OneOf<Option<Integrator>> = OneOf {
     written: &[],
 };
 
-const fn field(
-    path: &'static str,
-    label: &'static str,
-    unit: &'static str,
-    help: &'static str,
-    kind: Kind,
-) -> Field {
+type Words = &'static str;
+
+const fn field(path: Words, label: Words, unit: Words, help: Words, kind: Kind) -> Field {
     Field { path, label, unit, help, kind }
 }
 
@@ -307,8 +301,7 @@ pub fn find(path: &str) -> Option<&'static Field> {
 }
 
 impl Field {
-    /// The present value as text that [`crate::scenario::set::set`] accepts, or `None` where the
-    /// present variant has no such field.
+    /// The present value as [`crate::scenario::set::set`] takes it, where there is such a field.
     pub fn text(&self, scenario: &Scenario) -> Option<String> {
         match &self.kind {
             Number(_, place) => (place.get)(scenario)

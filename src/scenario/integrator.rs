@@ -1,5 +1,4 @@
-//! The integrators that a scenario may name; none is spelled `Auto`. What each of them is stands in
-//! `models::paper::time::method`.
+//! The integrators that a scenario may name, or `Auto`; see `models::paper::time::method`.
 
 use crate::scenario::auto::AUTO;
 use serde::{Deserializer, Serializer, de};

@@ -3,9 +3,8 @@
 use crate::plain_text::MAX_LINES;
 use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::{
-    Scenario, locate::locate, ron_text::read, text_file, text_file::without_mark,
-};
+use crate::scenario::{Scenario, locate::locate, ron_text::read};
+use crate::scenario::{text_file, text_file::without_mark};
 use std::path::Path;
 
 pub use crate::scenario::ron_text::to_ron;

@@ -161,8 +161,7 @@ fn confirm(scenario: &mut Scenario, path: &str) {
     }
 }
 
-/// Puts a number into a field that holds one, unchecked; any doubt of it stays. It counts as set
-/// by a person.
+/// Puts a number, unchecked, into its field as a person does; any doubt of it stays.
 pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     match &field.kind {
         Kind::Number(_, place) => store((place.get_mut)(scenario), Some(value)),
@@ -200,11 +199,10 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     if done {
         return Ok(());
     }
+    let allowed = field.allowed_in(scenario);
     if text.is_empty() {
-        let allowed = field.allowed_in(scenario);
         return Err(Problem::lacking(field.path, "nothing is there", allowed).into());
     }
-    let allowed = field.allowed_in(scenario);
     let complaint = match &field.kind {
         Kind::Choice(choices) => {
             let Some(why) = choices.unclear(text) else {
@@ -263,8 +261,7 @@ fn words(text: &str, path: &str) -> Result<Option<String>, ScenarioError> {
     if is_quoted { read(text, path).map(Some) } else { Ok(Some(text.to_owned())) }
 }
 
-/// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`, or by
-/// another word for it.
+/// The variant meant by `VelocityVerlet`, `velocity-verlet`, `velocity_verlet` or another word.
 fn named(choices: &dyn Choices, scenario: &Scenario, text: &str) -> Option<&'static str> {
     let bare = |name: &str| name.replace(['-', '_'], "").to_ascii_lowercase();
     let mut names = choices.names().into_iter().chain(choices.get(scenario));
