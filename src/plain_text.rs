@@ -90,12 +90,8 @@ const FORMULA: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
 #[cfg(feature = "app")]
 pub fn cell(text: &str) -> String {
     let text = printable(text);
-    let is_number = text.parse::<f64>().is_ok();
-    if text.trim_start().starts_with(FORMULA) && !is_number {
-        format!("'{text}")
-    } else {
-        text.into_owned()
-    }
+    let is_formula = text.trim_start().starts_with(FORMULA) && text.parse::<f64>().is_err();
+    if is_formula { format!("'{text}") } else { text.into_owned() }
 }
 
 /// Text that Markdown shows as it stands: no links, images, tables, or tags.
@@ -139,8 +135,7 @@ pub fn lines(each: impl ExactSizeIterator<Item = String>) -> String {
     text
 }
 
-/// Writes a value as JSON of several lines. Unprintable characters take the escapes of JSON, so
-/// that a reader gets the text as it was.
+/// Writes JSON of several lines, with its escapes for what is not printable: it reads as it was.
 #[cfg(feature = "app")]
 pub fn write_json(
     out: &mut dyn std::io::Write,

@@ -72,8 +72,7 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
     }
 }
 
-/// The automatic step, but up to `cap`, in s, as far as stability allows. A step of the person's
-/// own stays, and so does that of a method that chooses its own.
+/// The automatic step, but up to `cap`, in s, as far as stability allows; one that is set stays.
 fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)

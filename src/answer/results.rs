@@ -51,13 +51,9 @@ impl Results {
             let (a, b, whole) = ((*a)?, b[quantity]?, whole[quantity]?);
             let row = quantity.row();
             let difference = (a - b).abs();
-            (row.family != Family::Unstated).then(|| {
-                if difference == 0.0 || whole == 0.0 && difference < row.rounding {
-                    0.0
-                } else {
-                    100.0 * difference / whole.abs()
-                }
-            })
+            let nothing = difference == 0.0 || whole == 0.0 && difference < row.rounding;
+            let percent = if nothing { 0.0 } else { 100.0 * difference / whole.abs() };
+            (row.family != Family::Unstated).then_some(percent)
         })
     }
 

@@ -244,11 +244,8 @@ fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     // Off the axis an hour is known as well as the distance is.
     let hours = |hour: f64, off: f64, sd: f64| {
         let sd = sd / off * 0.5 * HOURS / PI;
-        if sd < 0.25 * HOURS {
-            Shape::Normal(hour, sd)
-        } else {
-            Shape::Uniform(hour - 0.5 * HOURS, hour + 0.5 * HOURS)
-        }
+        let all_round = Shape::Uniform(hour - 0.5 * HOURS, hour + 0.5 * HOURS);
+        if sd < 0.25 * HOURS { Shape::Normal(hour, sd) } else { all_round }
     };
     let (angle, offset) = (projectile.angle_deg, projectile.offset_mm);
     let all = [

@@ -27,8 +27,7 @@ pub struct EnergyCurve {
     pub steepness: f64,
     /// Whether that was published; it is assumed otherwise.
     pub slope_known: bool,
-    /// Whether it counts for small hard blows: not of the retina, whose data are too thin, nor of
-    /// bursting pigs' eyes, which bear twice as much.
+    /// Whether it counts for small hard blows: not of the retina (thin data), nor of pigs bursting.
     pub counts: bool,
     /// Authors, year, journal.
     pub source: &'static str,

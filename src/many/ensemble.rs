@@ -123,8 +123,7 @@ impl Job<'_> {
         (changed, values)
     }
 
-    /// Reads a sample's risks again as if the curves lay `off` standard deviations away, and as
-    /// matched with the eye that was drawn.
+    /// Reads a sample's risks again by curves `off` standard deviations away, matched with its eye.
     fn put_curves(&self, answer: &mut BriefAnswer, blow: &Blow, off: f64, drawn: &[f64]) {
         for injury in Injury::ALL {
             let (measure, result) = (injury.measure(), injury.result());

@@ -57,11 +57,8 @@ pub fn narrowed<E>(
             break;
         }
         let found = (at, value(at)?);
-        if (found.1 < 0.0) == (now.low.1 < 0.0) {
-            now.low = found;
-        } else {
-            now.high = found;
-        }
+        let same_sign = (found.1 < 0.0) == (now.low.1 < 0.0);
+        *(if same_sign { &mut now.low } else { &mut now.high }) = found;
     }
     Ok(now)
 }

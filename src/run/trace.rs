@@ -95,11 +95,8 @@ impl Trace {
 
     /// What it is called with these traces: what drives the eye is the load or the contact.
     pub fn label(self, traces: &Traces) -> &'static str {
-        if self == Self::Other(OtherTrace::Drive) && by_contact(traces) {
-            Quantity::Contact.row().short
-        } else {
-            self.row().label
-        }
+        let contact = self == Self::Other(OtherTrace::Drive) && by_contact(traces);
+        if contact { Quantity::Contact.row().short } else { self.row().label }
     }
 }
 

@@ -34,8 +34,7 @@ impl Scenario {
     }
 }
 
-/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it: products of it
-/// have none at all, and it is slow to compute with.
+/// Makes a 0 of -0 and of subnormal numbers, whose products have no digits and which are slow.
 pub(super) fn near_zero_is_zero(scenario: &mut Scenario) {
     let zeroed = |number: &mut f64| {
         if number.is_finite() && !number.is_normal() {
@@ -117,14 +116,12 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
         }
         Kind::Choice(_) => None,
     }?;
-    let value = match &field.kind {
-        Kind::Text(..) => format!("{:?}", field.text(scenario)?),
-        _ => field.text(scenario)?,
-    };
+    let text = field.text(scenario)?;
+    let value = if matches!(field.kind, Kind::Text(..)) { format!("{text:?}") } else { text };
     Some(Problem::refused(field.path, &value, complaint, field.allowed_in(scenario)))
 }
 
-fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str> {
+pub(super) fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str> {
     if !number.is_finite() {
         return Some("is not a finite number");
     }

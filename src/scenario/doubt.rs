@@ -6,6 +6,7 @@
 //! be doubted: no choices, whole numbers or optional ones.
 
 use crate::plain_text::{MAX_LINES, quoted};
+use crate::scenario::check::outside;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::{Scenario, fields};
@@ -114,14 +115,8 @@ fn check_one(scenario: &Scenario, path: &str, doubt: f64, proposes: bool) -> Opt
     let Some((_, bounds)) = number(field, scenario) else {
         return problem("this scenario has no such field".to_owned());
     };
-    let complaint = if !doubt.is_finite() {
-        "is not a finite number"
-    } else if (0.0..=bounds.max - bounds.min).contains(&doubt) {
-        return None;
-    } else {
-        "is out of range"
-    };
-    Some(refused(field, &plain(doubt), complaint))
+    let range = Bounds { min: 0.0, max: bounds.max - bounds.min, ..bounds };
+    outside(range, doubt).map(|complaint| refused(field, &plain(doubt), complaint))
 }
 
 fn refused(field: &Field, value: &str, complaint: &str) -> Problem {

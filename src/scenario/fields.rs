@@ -83,8 +83,7 @@ pub trait Choices {
     }
     /// The present variant; `None` where the scenario has no such field.
     fn get(&self, scenario: &Scenario) -> Option<&'static str>;
-    /// Takes the named variant with its default content, or keeps that which is there already.
-    /// `false` if there is no such variant or no such field.
+    /// Takes the named variant by default, or keeps it; `false` without such a variant or field.
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool;
 }
 
@@ -216,12 +215,12 @@ const fn field(path: Words, label: Words, unit: Words, help: Words, kind: Kind) 
     Field { path, label, unit, help, kind }
 }
 
-const fn within_bounds(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
+/// Bounds with a small and a large step.
+const fn b(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
     Bounds { min, max, fine, coarse }
 }
 
 use Kind::{Choice, Integer, Integers, Number, OptionalNumber, Text};
-use within_bounds as b;
 
 /// Every field, in the order in which a form shows them.
 #[rustfmt::skip]

@@ -72,8 +72,7 @@ impl de::Visitor<'_> for ChoiceVisitor {
     }
 
     fn visit_str<E: de::Error>(self, name: &str) -> Result<Self::Value, E> {
-        choices()
-            .find(|choice| spelling(*choice) == name)
-            .ok_or_else(|| E::unknown_variant(name, &SPELLINGS))
+        let named = choices().find(|choice| spelling(*choice) == name);
+        named.ok_or_else(|| E::unknown_variant(name, &SPELLINGS))
     }
 }

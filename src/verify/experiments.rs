@@ -75,8 +75,7 @@ impl MeasuredBand {
     pub fn typical(self) -> f64 {
         match self {
             Self::Between(low, high) => 0.5 * (low + high),
-            Self::Spread(value, _) | Self::Single(value, _) => value,
-            Self::Below(limit) | Self::Above(limit) => limit,
+            Self::Spread(it, _) | Self::Single(it, _) | Self::Below(it) | Self::Above(it) => it,
         }
     }
 
