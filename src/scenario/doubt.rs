@@ -6,7 +6,6 @@
 //! be doubted: no choices, whole numbers or optional ones.
 
 use crate::plain_text::{MAX_LINES, quoted};
-use crate::scenario::check::outside;
 use crate::scenario::fields::{Bounds, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain, suggestion};
 use crate::scenario::{Scenario, fields};
@@ -116,7 +115,7 @@ fn check_one(scenario: &Scenario, path: &str, doubt: f64, proposes: bool) -> Opt
         return problem("this scenario has no such field".to_owned());
     };
     let range = Bounds { min: 0.0, max: bounds.max - bounds.min, ..bounds };
-    outside(range, doubt).map(|complaint| refused(field, &plain(doubt), complaint))
+    range.refuse(doubt).map(|complaint| refused(field, &plain(doubt), complaint))
 }
 
 fn refused(field: &Field, value: &str, complaint: &str) -> Problem {

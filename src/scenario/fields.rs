@@ -57,6 +57,16 @@ pub struct Bounds {
     pub coarse: f64,
 }
 
+impl Bounds {
+    /// What is wrong with a number, if anything.
+    pub(super) fn refuse(self, number: f64) -> Option<&'static str> {
+        if !number.is_finite() {
+            return Some("is not a finite number");
+        }
+        (!(self.min..=self.max).contains(&number)).then_some("is out of range")
+    }
+}
+
 /// How to reach a value; `None` where the present variant has no such field.
 pub struct Place<T: 'static> {
     /// Gives the value to read.
