@@ -38,7 +38,7 @@ impl Results {
         self.worst().map_or(0.0, |(_, error)| error)
     }
 
-    /// |self - b| in % of b, of what both have and an error is stated of; 0 where both are rounding.
+    /// |self - b| in % of b, of what both have with a stated error; 0 where both are rounding.
     #[must_use]
     pub fn difference_percent(&self, b: &Self) -> Self {
         self.apart_percent(b, b)
