@@ -69,8 +69,7 @@ pub fn quantile(p: f64) -> f64 {
     size.copysign(q)
 }
 
-/// The value below which the share `u` lies of a normal distribution that is cut off at `min` and
-/// `max`.
+/// The value below which the share `u` of a normal distribution cut off at `min` and `max` lies.
 pub fn cut_off(mean: f64, sd: f64, (min, max): (f64, f64), u: f64) -> f64 {
     if sd == 0.0 {
         return mean.clamp(min, max);

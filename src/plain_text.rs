@@ -90,12 +90,8 @@ const FORMULA: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
 #[cfg(feature = "app")]
 pub fn cell(text: &str) -> String {
     let text = printable(text);
-    let is_number = text.parse::<f64>().is_ok();
-    if text.trim_start().starts_with(FORMULA) && !is_number {
-        format!("'{text}")
-    } else {
-        text.into_owned()
-    }
+    let is_formula = text.trim_start().starts_with(FORMULA) && text.parse::<f64>().is_err();
+    if is_formula { format!("'{text}") } else { text.into_owned() }
 }
 
 /// Text that Markdown shows as it stands: no links, images, tables, or tags.
@@ -139,8 +135,7 @@ pub fn lines(each: impl ExactSizeIterator<Item = String>) -> String {
     text
 }
 
-/// Writes a value as JSON of several lines. Unprintable characters take the escapes of JSON, so
-/// that a reader gets the text as it was.
+/// Writes JSON of several lines, with its escapes for what is not printable: it reads as it was.
 #[cfg(feature = "app")]
 pub fn write_json(
     out: &mut dyn std::io::Write,
@@ -194,12 +189,14 @@ mod tests {
     }
 
     #[test]
-    fn every_language_stays_as_it_is() {
+    fn every_language_stays_as_it_is_and_a_pile_of_marks_is_written_out() {
         let all =
             "300 N for 0.2 ms;Größe µm ≥ ±;ק\u{5b8}\u{5bc}\u{5b2};e\u{302}\u{323};कि;眼球;العين;🎾";
         for text in all.split(';') {
             assert_eq!(printable(text), text);
         }
+        let pile = format!("a{}b", "\u{301}".repeat(50));
+        assert_eq!(printable(&pile).matches('\u{301}').count(), MAX_MARKS);
     }
 
     #[test]
@@ -226,12 +223,6 @@ mod tests {
             }
         }
         assert_eq!(markdown("300 N for 0.2 ms; 9.5 %"), "300 N for 0.2 ms; 9.5 %");
-    }
-
-    #[test]
-    fn a_pile_of_marks_is_written_out() {
-        let pile = format!("a{}b", "\u{301}".repeat(50));
-        assert_eq!(printable(&pile).matches('\u{301}').count(), MAX_MARKS);
     }
 
     #[test]

@@ -43,18 +43,12 @@ const MAX_LINKS: usize = 40;
 pub fn resolved(path: &Path) -> PathBuf {
     let mut path = path.to_owned();
     for _ in 0..MAX_LINKS {
-        match path.read_link() {
-            Ok(next) => path = path.parent().unwrap_or(Path::new("")).join(next),
-            Err(_) => break,
-        }
+        let Ok(next) = path.read_link() else { break };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
     }
-    in_its_folder(&path)
-}
-
-fn in_its_folder(path: &Path) -> PathBuf {
-    let beside = || Some(folder_of(path).canonicalize().ok()?.join(path.file_name()?));
+    let beside = || Some(folder_of(&path).canonicalize().ok()?.join(path.file_name()?));
     let there = path.canonicalize().ok().or_else(beside);
-    there.unwrap_or_else(|| path.to_owned())
+    there.unwrap_or(path)
 }
 
 fn folder_of(path: &Path) -> &Path {
@@ -77,8 +71,7 @@ pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
     Ok(file)
 }
 
-/// Puts the file in the place of whatever is at `path`, or says [`io::ErrorKind::AlreadyExists`] of
-/// what may not be replaced.
+/// Puts the file at `path`, or says [`io::ErrorKind::AlreadyExists`] of what may not be replaced.
 pub fn put(file: NamedTempFile, path: &Path, replace: bool) -> io::Result<()> {
     let put = if replace {
         // What somebody keeps to themselves stays theirs alone.

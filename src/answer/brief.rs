@@ -72,8 +72,7 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
     }
 }
 
-/// The automatic step, but up to `cap`, in s, as far as stability allows. A step of the person's
-/// own stays, and so does that of a method that chooses its own.
+/// The automatic step, but up to `cap`, in s, as far as stability allows; one that is set stays.
 fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
@@ -123,16 +122,12 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
         }
     }
     let ranges: Vec<(f64, f64)> = answer.risks().iter().map(|risk| risk.range).collect();
+    let stated = answer.errors.time_step_percent();
     Ok(BriefAnswer {
         ranges: ranges.try_into().ok(),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
-        check: answer.errors.time_step_percent().map(|last| Check {
-            first,
-            last,
-            tried,
-            good_step,
-        }),
+        check: stated.map(|last| Check { first, last, tried, good_step }),
     })
 }
 

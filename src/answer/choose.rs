@@ -61,9 +61,8 @@ fn of_damage(errors: &Results) -> f64 {
     errors[Quantity::Damage].unwrap_or(f64::INFINITY)
 }
 
-/// Answers `scenario` with the damage index within `percent` of its converged value, by step and
-/// mesh together; `level` and `numerics` of the scenario are chosen anew. `ladder` holds the meshes
-/// of this scenario that were computed before.
+/// Answers `scenario` with the damage index within `percent` of its converged value, by a step and
+/// level of our own; `ladder` holds the meshes of this scenario that were computed before.
 ///
 /// # Errors
 /// Refuses if no level up to [`FINEST_TRIED`] meets the tolerance, or the mesh folds.

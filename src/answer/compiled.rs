@@ -50,7 +50,6 @@ impl Compiled {
     }
 
     /// A result of a run of this scenario in its unit; none where the scene has no such result.
-    /// The paper's index and the risks are made of readings.
     pub fn result(&self, of: Quantity, run: &Run) -> Option<f64> {
         let value = match Injury::of(of) {
             // An eye that was not hit is not hurt.

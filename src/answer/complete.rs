@@ -8,8 +8,7 @@ use std::sync::atomic::AtomicBool;
 /// The share of the progress of [`complete`] that stands for the meshes.
 const MESHES: f64 = 0.6;
 
-/// Adds to an answer its mesh error, if it has none, and what its inputs are not known to.
-/// `progress` is told the share done.
+/// Adds mesh error, if there is none, and doubt of the inputs; `progress` is told the share done.
 ///
 /// # Errors
 /// As [`solve`](crate::answer::solve::solve).

@@ -63,8 +63,7 @@ impl InputQuery {
         }
     }
 
-    /// Runs `scenario`, the one that was answered, once for each uncertain input, on all cores;
-    /// `progress` is told the share done.
+    /// Runs the answered `scenario` once for each input, on all cores; tells `progress` the share.
     ///
     /// # Errors
     /// [`Refusal::Cancelled`] if it was stopped. An input that cannot be moved so counts as known.
@@ -126,9 +125,6 @@ impl InputQuery {
             }
             ControlFlow::Continue(())
         });
-        if done < inputs.len() {
-            return Err(Refusal::Cancelled);
-        }
-        Ok(doubt)
+        if done < inputs.len() { Err(Refusal::Cancelled) } else { Ok(doubt) }
     }
 }

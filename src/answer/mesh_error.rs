@@ -121,23 +121,15 @@ impl MeshError {
     pub(crate) fn of(scenario: &Scenario, level: u32, own: &OnMesh, witness: [&OnMesh; 2]) -> Self {
         let levels = witnesses(scenario, level);
         let first = levels.into_iter().zip(witness).find_map(|(at, on)| Some((at, on.folded?)));
-        let limits = if first.is_some() || own.folded.is_some() {
-            Limits::default()
-        } else {
-            limit(scenario, witness.map(|on| &on.results), levels[1])
-        };
-        let flag = first.filter(|_| own.folded.is_none());
-        Self {
-            errors: against(&limits, &own.results),
-            limits,
-            flag: flag.map(|(at, time)| {
-                let ms = time * 1e3;
-                let said = format!(
-                    "the mesh of level {at} folds at {ms:.3} ms: the model is near its end"
-                );
-                Flag::new(FlagKind::FinerMeshFolds, said, Some(time))
-            }),
-        }
+        let folds = first.is_some() || own.folded.is_some();
+        let seen = || limit(scenario, witness.map(|on| &on.results), levels[1]);
+        let limits = if folds { Limits::default() } else { seen() };
+        let flag = first.filter(|_| own.folded.is_none()).map(|(at, time)| {
+            let when = format!("the mesh of level {at} folds at {:.3} ms", time * 1e3);
+            let said = format!("{when}: the model is near its end");
+            Flag::new(FlagKind::FinerMeshFolds, said, Some(time))
+        });
+        Self { errors: against(&limits, &own.results), limits, flag }
     }
 }
 

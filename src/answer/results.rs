@@ -4,8 +4,7 @@ use crate::injury::PerInjury;
 use crate::run::quantity::{Family, Leads, Quantity};
 use crate::run::readings::PerQuantity;
 
-/// Values in the unit of each result, or errors in % of it; `None` where the scene has no such
-/// result.
+/// Values in the unit of each result, or errors in % of it; `None` of what the scene has not.
 pub type Results = PerQuantity<Option<f64>>;
 
 impl Results {
@@ -39,8 +38,7 @@ impl Results {
         self.worst().map_or(0.0, |(_, error)| error)
     }
 
-    /// |self - b| in % of b for each result that both have and an error is stated of; 0 where both
-    /// are nothing but rounding.
+    /// |self - b| in % of b, of what both have with a stated error; 0 where both are rounding.
     #[must_use]
     pub fn difference_percent(&self, b: &Self) -> Self {
         self.apart_percent(b, b)
@@ -53,13 +51,9 @@ impl Results {
             let (a, b, whole) = ((*a)?, b[quantity]?, whole[quantity]?);
             let row = quantity.row();
             let difference = (a - b).abs();
-            (row.family != Family::Unstated).then(|| {
-                if difference == 0.0 || whole == 0.0 && difference < row.rounding {
-                    0.0
-                } else {
-                    100.0 * difference / whole.abs()
-                }
-            })
+            let nothing = difference == 0.0 || whole == 0.0 && difference < row.rounding;
+            let percent = if nothing { 0.0 } else { 100.0 * difference / whole.abs() };
+            (row.family != Family::Unstated).then_some(percent)
         })
     }
 

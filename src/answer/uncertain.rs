@@ -50,7 +50,17 @@ const DAMPING_SOURCE: &str =
 /// A drag whose nominal value gives `ratio`, over all damping ratios: the two are in proportion.
 const fn drag(path: &'static str, nominal: f64, ratio: f64) -> Spread {
     let shape = Shape::LogUniform(nominal * DAMPING.0 / ratio, nominal * DAMPING.1 / ratio);
-    Spread { path, nominal, shape, source: DAMPING_SOURCE }
+    spread(path, nominal, shape).by(DAMPING_SOURCE)
+}
+
+const fn spread(path: &'static str, nominal: f64, shape: Shape) -> Spread {
+    Spread { path, nominal, shape, source: "" }
+}
+
+impl Spread {
+    const fn by(self, source: &'static str) -> Self {
+        Self { source, ..self }
+    }
 }
 
 /// Where the injury curves lie, which no scenario holds. Drawn where there are risks.
@@ -67,62 +77,29 @@ pub static CURVES: Field = Field {
 
 /// Every published spread.
 pub static SPREADS: &[Spread] = &[
-    Spread {
-        path: "eye.sclera_kpa",
-        nominal: 2600.0,
-        shape: Shape::LogUniform(1e3, 30e3),
-        source: "quasi-static 2.9 ± 2.0 MPa (Eilaghi 2010) to ten times that at 29 /s (Kim 2012)",
-    },
-    Spread {
-        path: "eye.lens_kpa",
-        nominal: 6880.0,
-        shape: Shape::LogUniform(1.0, 6880.0),
-        source: "20 Pa shear (Schachar) to 6.88 MPa (paper); the centre stiffens 10^4 times by age (Weeber)",
-    },
-    Spread {
-        path: "eye.fat_kpa",
-        nominal: 47.0,
-        shape: Shape::LogUniform(0.9, 47.0),
-        source: "0.9 kPa from 290 Pa shear, long-term (Yoo 2011), to 47 kPa (paper)",
-    },
-    Spread {
-        path: "eye.globe_mass_g",
-        nominal: 7.5,
-        shape: Shape::Normal(7.5, 7.5 * 1.57 / 24.51),
-        source: "in proportion to the axial length of 24.51 ± 1.57 mm (Nagra 2017)",
-    },
+    spread("eye.sclera_kpa", 2600.0, Shape::LogUniform(1e3, 30e3))
+        .by("quasi-static 2.9 ± 2.0 MPa (Eilaghi 2010) to ten times that at 29 /s (Kim 2012)"),
+    spread("eye.lens_kpa", 6880.0, Shape::LogUniform(1.0, 6880.0))
+        .by("20 Pa shear (Schachar) to 6.88 MPa (paper); the centre stiffens 10^4 times by age \
+             (Weeber)"),
+    spread("eye.fat_kpa", 47.0, Shape::LogUniform(0.9, 47.0))
+        .by("0.9 kPa from 290 Pa shear, long-term (Yoo 2011), to 47 kPa (paper)"),
+    spread("eye.globe_mass_g", 7.5, Shape::Normal(7.5, 7.5 * 1.57 / 24.51))
+        .by("in proportion to the axial length of 24.51 ± 1.57 mm (Nagra 2017)"),
     drag("eye.globe_drag_ns_m", 0.705, 0.1),
     drag("eye.fat_drag_ns_m", 1.44, 0.22),
-    Spread {
-        path: "model.sclera_mpa",
-        nominal: 138.0,
-        shape: Shape::LogUniform(69.0, 276.0),
-        source: "a factor of two either way: stiffness of eyes is spread by 2.0 of 2.9 MPa (Eilaghi 2010)",
-    },
-    Spread {
-        path: "model.sclera_thickness",
-        nominal: 1.0,
-        shape: Shape::Normal(1.0, 0.14 / 0.53),
-        source: "0.53 ± 0.14 mm at the limbus, 0.39 ± 0.17 mm at the equator (Olsen 1998)",
-    },
-    Spread {
-        path: "model.lens_shear_kpa",
-        nominal: 10.0,
-        shape: Shape::LogUniform(0.02, 6880.0 / 3.0),
-        source: "20 Pa (Schachar) to a third of 6.88 MPa (paper); the centre stiffens 10^4 times by age (Weeber)",
-    },
-    Spread {
-        path: "model.fat_shear_kpa",
-        nominal: 15.7,
-        shape: Shape::LogUniform(0.29, 15.7),
-        source: "290 Pa, long-term (Yoo 2011), to a third of 47 kPa (Power 2002)",
-    },
-    Spread {
-        path: "model.fat_bulk_mpa",
-        nominal: 0.40,
-        shape: Shape::LogUniform(0.20, 0.55),
-        source: "fits published tests nearly as well as 0.40 (contrecoup verify fit)",
-    },
+    spread("model.sclera_mpa", 138.0, Shape::LogUniform(69.0, 276.0))
+        .by("a factor of two either way: stiffness of eyes is spread by 2.0 of 2.9 MPa (Eilaghi \
+             2010)"),
+    spread("model.sclera_thickness", 1.0, Shape::Normal(1.0, 0.14 / 0.53))
+        .by("0.53 ± 0.14 mm at the limbus, 0.39 ± 0.17 mm at the equator (Olsen 1998)"),
+    spread("model.lens_shear_kpa", 10.0, Shape::LogUniform(0.02, 6880.0 / 3.0))
+        .by("20 Pa (Schachar) to a third of 6.88 MPa (paper); the centre stiffens 10^4 times by \
+             age (Weeber)"),
+    spread("model.fat_shear_kpa", 15.7, Shape::LogUniform(0.29, 15.7))
+        .by("290 Pa, long-term (Yoo 2011), to a third of 47 kPa (Power 2002)"),
+    spread("model.fat_bulk_mpa", 0.40, Shape::LogUniform(0.20, 0.55))
+        .by("fits published tests nearly as well as 0.40 (contrecoup verify fit)"),
 ];
 
 /// How the points of 50 % of the injury curves go with what is not known of the eye: log10 of each
@@ -210,8 +187,7 @@ impl UncertainInput {
         value.clamp(min, max)
     }
 
-    /// The value one standard deviation from what the scenario holds, to the side on which it
-    /// matters more.
+    /// The value one standard deviation from the scenario's, to the side on which it matters more.
     pub fn one_off(&self) -> f64 {
         let sign = if LESS_IS_WORSE.contains(&self.field.path) { -1.0 } else { 1.0 };
         let (min, max) = self.bounds;
@@ -256,8 +232,7 @@ impl UncertainInput {
     }
 }
 
-/// Standard deviations of the angle that an object comes from, in degrees, and of where it hits, in
-/// mm: nobody measured them.
+/// Standard deviations, not measured, of an object's angle, in degrees, and where it hits, in mm.
 const AIM: (f64, f64) = (10.0, 2.0);
 const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured how eyes are hit";
 
@@ -269,11 +244,8 @@ fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     // Off the axis an hour is known as well as the distance is.
     let hours = |hour: f64, off: f64, sd: f64| {
         let sd = sd / off * 0.5 * HOURS / PI;
-        if sd < 0.25 * HOURS {
-            Shape::Normal(hour, sd)
-        } else {
-            Shape::Uniform(hour - 0.5 * HOURS, hour + 0.5 * HOURS)
-        }
+        let all_round = Shape::Uniform(hour - 0.5 * HOURS, hour + 0.5 * HOURS);
+        if sd < 0.25 * HOURS { Shape::Normal(hour, sd) } else { all_round }
     };
     let (angle, offset) = (projectile.angle_deg, projectile.offset_mm);
     let all = [

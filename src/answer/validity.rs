@@ -44,10 +44,8 @@ mod tests {
         let folded = spoiled(&[flag(FlagKind::MeshFolded)], of_cells()).unwrap();
         assert_eq!(folded.why, "mesh folded at 0.480 ms");
         assert_eq!(folded.next, "try a smaller blow");
-        let of_paper = spoiled(
-            &[flag(FlagKind::WindowShort), flag(FlagKind::MeshFolded)],
-            rules(&Scenario::default()),
-        );
+        let both = [FlagKind::WindowShort, FlagKind::MeshFolded].map(flag);
+        let of_paper = spoiled(&both, rules(&Scenario::default()));
         assert!(of_paper.is_some_and(|spoiled| spoiled.next.contains("Physiological")));
         for bounds in [FlagKind::ContactCut, FlagKind::WindowShort] {
             assert_eq!(spoiled(&[flag(bounds)], of_cells()), None);

@@ -15,13 +15,11 @@ const WIDTH_MM: (f64, f64) = (11.2, 16.0);
 const ANGLE_DEG: (f64, f64) = (10.0, 20.0);
 /// Decimal logarithms of the surface's modulus in `MPa`, from as hard as those tested to unlike.
 const HARDNESS: (f64, f64) = (2.0, 1.0);
-/// Energy over area from which small hard objects were seen to go in, J/m2 (Marshall 2011: pigs'
-/// eyes, 43 to 48 kJ/m2 with 4.5 and 6 mm).
+/// Energy over area from which small hard objects went into pigs' eyes, J/m2 (Marshall 2011).
 const GOES_IN: f64 = 43e3;
 /// Width of the orbit's opening, in mm.
 const ORBIT_MM: f64 = 40.0;
-/// Diameters up to which an object straight on is not changed by the shape of bone, and from which
-/// it is, in mm: a cork of 31 mm is not, a ball of 40 mm is.
+/// Diameters up to which bone's shape does not matter straight on (a cork), and from which, in mm.
 const MEETS_BONE_MM: (f64, f64) = (32.0, 40.0);
 
 /// What of a scenario its risks are read with.
@@ -33,8 +31,7 @@ pub struct Blow {
     pub tested: f64,
     /// How much wider the object is than any that was tested, 0 to 1.
     pub wider: f64,
-    /// How far from straight on, 0 (10 degrees or less) to 1 (20 or more), where the places of the
-    /// eye turn with the blow.
+    /// How far from straight on, 0 (to 10 degrees) to 1 (from 20), where places turn with the blow.
     pub aslant: f64,
     /// How much its injuries hang on bone that is taken as a round rim, 0 to 1.
     pub round_rim: f64,

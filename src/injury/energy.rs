@@ -1,5 +1,4 @@
-//! Published curves of risk against normalized energy, the kinetic energy of an object over its
-//! area pi d^2/4.
+//! Published curves of risk against normalized energy: kinetic energy over the area pi d^2/4.
 //!
 //! Weibull, R = 1 - exp(-ln 2 (x/x50)^k): no energy, no risk. The abstract 2394472 gives the risks
 //! at two energies, which fix x50 and k (a logistic through the same points has its 50 % at 34.2,
@@ -12,8 +11,7 @@
 //! rises from 24 to 94 % within 7 kJ/m2 would put the lens below the bursting globe at low
 //! energies.
 //!
-//! Left out: curves against pressure of water streams, whose risks were predicted and not seen, and
-//! limits of force on synthetic eyes.
+//! Left out: predicted risks against pressure of water, and limits of force on synthetic eyes.
 
 use crate::injury::kind::Injury;
 use libm::{exp, expm1, log, pow};
@@ -29,8 +27,7 @@ pub struct EnergyCurve {
     pub steepness: f64,
     /// Whether that was published; it is assumed otherwise.
     pub slope_known: bool,
-    /// Whether it counts for small hard blows: not of the retina, whose data are too thin, nor of
-    /// bursting pigs' eyes, which bear twice as much.
+    /// Whether it counts for small hard blows: not of the retina (thin data), nor of pigs bursting.
     pub counts: bool,
     /// Authors, year, journal.
     pub source: &'static str,
@@ -98,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn curves_pass_through_the_risks_that_were_published() {
+    fn curves_pass_through_what_was_published_nothing_at_no_energy_and_half_at_their_50_percent() {
         for (injury, at_19, at_26) in [
             (Injury::GlobeRupture, 0.127, 0.27),
             (Injury::LensDislocation, 0.243, 0.943),
@@ -109,10 +106,6 @@ mod tests {
             assert!((found[0] - at_19).abs() < 2e-3, "{injury:?} {found:?}");
             assert!((found[1] - at_26).abs() < 2e-3, "{injury:?} {found:?}");
         }
-    }
-
-    #[test]
-    fn nothing_brings_no_risk_and_the_point_of_50_percent_half() {
         for curve in CURVES {
             assert_eq!(curve.risk(0.0), 0.0);
             assert!((curve.risk(curve.half) - 0.5).abs() < 1e-12);

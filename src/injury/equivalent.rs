@@ -41,9 +41,8 @@ pub enum Equivalent {
 impl Equivalent {
     /// The speed, or the end of the table beyond which it lies, m/s.
     pub fn speed(self) -> f64 {
-        match self {
-            Self::Under(speed) | Self::At(speed) | Self::Over(speed) => speed,
-        }
+        let (Self::Under(speed) | Self::At(speed) | Self::Over(speed)) = self;
+        speed
     }
 }
 

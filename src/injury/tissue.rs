@@ -27,8 +27,7 @@ pub struct TissueCurve {
     pub energy_known: f64,
     /// Where the data end: the largest of the kinds at 100 kJ/m2, SI.
     pub end: f64,
-    /// Share by which the measure is taken to be off where finer meshes tell no limit: as far apart
-    /// as two meshes may be that tell one.
+    /// Share by which the measure may be off where finer meshes tell no limit: what two may differ.
     pub mesh_unknown: f64,
     /// What the curve was matched to.
     pub matched: &'static str,

@@ -14,8 +14,8 @@ use crate::answer::mesh_error::{MeshError, OnMesh, at_level, witnesses};
 use crate::answer::{compiled::Compiled, results::Results};
 use crate::many::statistics::median;
 use crate::models::rules;
-use crate::run::watch::Watch;
 use crate::run::{kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal, rules::Element};
+use crate::run::{refusal::unstopped, watch::Watch};
 use crate::scenario::{CheckedScenario, Integrator, Scenario};
 use std::collections::HashSet;
 use std::ops::ControlFlow;
@@ -172,14 +172,10 @@ impl Accuracy {
                 let began = Instant::now();
                 let run = case().run(&job.plan, Keep::default(), watch);
                 let took = began.elapsed().as_secs_f64();
-                match run {
-                    Err(Refusal::Cancelled) => return Err(Refusal::Cancelled),
-                    Err(_) => {}
-                    Ok(run) => {
-                        let each = case().elements_per_evaluation();
-                        trial.elements = (run.cost.evaluations * each) as f64;
-                        trial.results = Some(case().results(&run));
-                    }
+                if let Ok(run) = unstopped(run).ok_or(Refusal::Cancelled)? {
+                    let each = case().elements_per_evaluation();
+                    trial.elements = (run.cost.evaluations * each) as f64;
+                    trial.results = Some(case().results(&run));
                 }
                 trial.times.push(took);
             }

@@ -1,9 +1,7 @@
-//! What the samples of an ensemble say together: bands, what drives them, and how they are
-//! counted.
+//! What the samples of an ensemble say together: bands, what drives them, and their counts.
 //!
 //! The bands hold every sample that ran. Those whose mesh folded are beyond the model's validity
-//! and are counted, but they stay: they are the hardest hit, so that bands without them would be
-//! too low.
+//! and are counted, but they stay: they are the hardest hit, and bands without them too low.
 //!
 //! Left out: how sure the quantiles themselves are.
 

@@ -131,8 +131,7 @@ pub fn leading(entries: &[Entry], sorted_by: Option<Quantity>) -> Vec<Quantity> 
     shown
 }
 
-/// Answers all of them, in their order; `keep` says what each scenario's recording holds.
-/// `progress` is told the share done.
+/// Answers all in order; `keep` says what each recording holds, `progress` is told the share done.
 ///
 /// # Errors
 /// Where `stop` was set meanwhile.

@@ -3,8 +3,7 @@
 //! Sample i puts the i-th point of an Owen-scrambled Sobol sequence through the distributions of
 //! its inputs, one dimension an [`UncertainInput`]. What a sample gives depends on the scenario,
 //! the seed and its number alone, so the result is the same bits for any number of threads, a run
-//! that was stopped after k samples is an ensemble of k, and one that goes on from there is the
-//! whole.
+//! that was stopped after k samples is an ensemble of k, and may go on from there to the whole.
 //!
 //! Samples are single runs. The first [`PILOT`] are set beside runs of twice as many steps, which
 //! gives the longest step that the others may take: a stiff eye that keeps the promise at its
@@ -124,8 +123,7 @@ impl Job<'_> {
         (changed, values)
     }
 
-    /// Reads a sample's risks again as if the curves lay `off` standard deviations away, and as
-    /// matched with the eye that was drawn.
+    /// Reads a sample's risks again by curves `off` standard deviations away, matched with its eye.
     fn put_curves(&self, answer: &mut BriefAnswer, blow: &Blow, off: f64, drawn: &[f64]) {
         for injury in Injury::ALL {
             let (measure, result) = (injury.measure(), injury.result());

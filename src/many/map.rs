@@ -9,9 +9,8 @@
 
 use crate::answer::{brief::single, results::Results};
 use crate::many::sweep::spaced;
-use crate::run::{
-    ordered, ordered::until, quantity::Quantity, refusal::Refusal, refusal::unstopped,
-};
+use crate::run::{ordered, ordered::until, quantity::Quantity};
+use crate::run::{refusal::Refusal, refusal::unstopped};
 use crate::scenario::{Scenario, fields::Field, set};
 use std::cmp::Reverse;
 use std::ops::ControlFlow;

@@ -3,8 +3,7 @@
 //! A quantile interpolates between the two order statistics next to (n - 1) p. Spearman's rank
 //! correlation is Pearson's of the ranks, where equal numbers share the mean of their ranks.
 //!
-//! Left out: confidence intervals of either. The draws are of low discrepancy, not independent, so
-//! the usual ones do not hold.
+//! Left out: confidence intervals, which do not hold for draws of low discrepancy.
 
 /// The quantile `p`, 0 to 1, of sorted numbers; none of an empty list.
 pub fn quantile(sorted: &[f64], p: f64) -> Option<f64> {

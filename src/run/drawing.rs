@@ -149,11 +149,8 @@ impl Drawing {
         self.in_the_section(node.rest, node.mirrored)
     }
 
-    fn in_the_section(&self, mut at: Point2<f64>, mirrored: bool) -> Point2<f64> {
-        if mirrored {
-            at.y = -at.y;
-        }
-        self.turned(at)
+    fn in_the_section(&self, at: Point2<f64>, mirrored: bool) -> Point2<f64> {
+        self.turned(if mirrored { Point2::new(at.x, -at.y) } else { at })
     }
 
     /// The force on a node in a frame, in N.
@@ -196,10 +193,8 @@ impl Drawing {
     pub fn extent(&self) -> (Point2<f64>, Point2<f64>) {
         let nodes = self.outlines.wall.iter().chain(&self.outlines.shell);
         let places = nodes.map(|node| self.at_rest(&self.nodes[*node]));
-        let (mut low, mut high) = (Point2::origin(), Point2::origin());
-        for at in places {
-            (low, high) = (low.inf(&at), high.sup(&at));
-        }
+        let middle = (Point2::origin(), Point2::origin());
+        let (low, high) = places.fold(middle, |(low, high), at| (low.inf(&at), high.sup(&at)));
         let way = self.object.map_or(Vector2::x(), |object| object.direction);
         let from = Point2::from(way * -BEFORE_M);
         let (low, high) = (low - BONE_M, high + BONE_M);

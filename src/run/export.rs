@@ -20,8 +20,7 @@ impl<W: Write> FrameWriter<W> {
         Ok(Self { csv, written: 0 })
     }
 
-    /// Writes the next frame of an eye whose nodes lie in these regions; gives how many there are
-    /// now.
+    /// Writes the next frame of an eye with nodes in these regions; gives how many there are now.
     ///
     /// # Errors
     /// Whatever `out` reports.

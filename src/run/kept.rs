@@ -1,5 +1,4 @@
-//! What is kept of a motion, whatever moves: peaks, traces over time, and the eye at chosen
-//! instants.
+//! What is kept of a motion, whatever moves: peaks, traces over time, the eye at chosen instants.
 
 use nalgebra::Point2;
 

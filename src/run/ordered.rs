@@ -20,8 +20,7 @@ struct Desk<T, D> {
     deliver: D,
 }
 
-/// Does jobs `from..to`; `deliver` is given each number and result in order. It may stop the rest,
-/// as may `stop`; a job that gives nothing has been stopped.
+/// Does jobs `from..to`; `deliver` takes each in order. It, `stop` or no result stop the rest.
 pub fn run<T: Send>(
     (from, to): (usize, usize),
     stop: &AtomicBool,
@@ -97,10 +96,7 @@ mod tests {
                 run((3, 100), &stop, slow_first, |i, square| {
                     assert_eq!(square, i * i);
                     seen.push(i);
-                    if i == 40 {
-                        return ControlFlow::Break(());
-                    }
-                    ControlFlow::Continue(())
+                    stop_if(i == 40)
                 });
             });
             assert_eq!(seen, (3..=40).collect::<Vec<_>>());

@@ -33,8 +33,7 @@ pub struct Cost {
 /// More than this takes longer than half an hour.
 const MAX_SPRING_EVALUATIONS: f64 = 1e12;
 
-/// The plan of a run of `eye` by what `scenario` asks, or by `automatic` where it leaves that
-/// open.
+/// The plan of a run of `eye` by what `scenario` asks, or `automatic` where it leaves that open.
 pub(crate) fn plan_by<E: EyeModel + ?Sized>(
     eye: &E,
     scenario: &Scenario,

@@ -189,16 +189,12 @@ impl Quantity {
             Self::BackPressure => {
                 number("peak_back_pressure_mpa", "pressure at back", "at back", "MPa")
                     .leading(Leads::Always)
-                    .traced("pressure at back", "back_pressure_mpa", (Inside, 2), |t| {
-                        &t.back_pressure
-                    })
+                    .followed((Inside, 2), |t| &t.back_pressure)
             }
             Self::ScleralStress => {
                 number("peak_scleral_stress_mpa", "scleral stress", "stress", "MPa")
                     .leading(Leads::Always)
-                    .traced("scleral stress", "scleral_stress_mpa", (Inside, 3), |t| {
-                        &t.scleral_stress
-                    })
+                    .followed((Inside, 3), |t| &t.scleral_stress)
             }
             Self::Shortening => number("shortening_percent", "eye shortened by", "squashed", "%")
                 .leading(Leads::Always)
@@ -281,13 +277,11 @@ pub(crate) const fn factor_to(unit: &str) -> f64 {
     }
 }
 
+type Words = &'static str;
+type Values = fn(&Traces) -> &[f64];
+
 /// A result of the whole motion that does not lead, to be filled in.
-const fn number(
-    key: &'static str,
-    label: &'static str,
-    short: &'static str,
-    unit: &'static str,
-) -> Row {
+const fn number(key: Words, label: Words, short: Words, unit: Words) -> Row {
     Row {
         key,
         label,
@@ -312,33 +306,20 @@ impl Row {
         Self { leads, ..self }
     }
 
-    /// Over time it has the same name and key, and is looked at there.
-    const fn followed(self, place: (Group, u8), values: fn(&Traces) -> &[f64]) -> Self {
-        let (label, column) = (self.label, self.key);
-        self.traced(label, column, place, values)
+    /// Over time it has the same name and key, but for the peak, and is looked at there.
+    fn followed(self, place: (Group, u8), values: Values) -> Self {
+        self.traced(self.label, self.key.trim_start_matches("peak_"), place, values)
     }
 
     /// Over time it is called so, written to such a column, and looked at there.
-    const fn traced(
-        self,
-        label: &'static str,
-        column: &'static str,
-        place: (Group, u8),
-        values: fn(&Traces) -> &[f64],
-    ) -> Self {
+    const fn traced(self, label: Words, column: Words, place: (Group, u8), values: Values) -> Self {
         let trace = ResultTrace { label, column, values, place };
         Self { trace: Some(trace), ..self }
     }
 }
 
 /// The force of a node of the shell, by the place of its [`Monitor`](crate::run::places::Monitor).
-const fn node_force(
-    key: &'static str,
-    label: &'static str,
-    short: &'static str,
-    place: u8,
-    values: fn(&Traces) -> &[f64],
-) -> Row {
+const fn node_force(key: Words, label: Words, short: Words, place: u8, values: Values) -> Row {
     let (_, column) = key.split_at("peak_".len());
     Row {
         rounding: FORCE_ROUNDING,
@@ -350,7 +331,7 @@ const fn node_force(
 }
 
 /// A risk, which what a tissue felt was turned into.
-const fn risk(key: &'static str, label: &'static str, short: &'static str) -> Row {
+const fn risk(key: Words, label: Words, short: Words) -> Row {
     Row { whole: Some(1e2), family: Family::Unstated, risk: true, ..number(key, label, short, "%") }
 }
 

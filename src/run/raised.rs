@@ -43,7 +43,9 @@ impl Raised {
 
     fn folded(&mut self, fold: &Fold, element: Element) {
         let (at, lasted) = (fold.since * 1e3, fold.lasted * 1e3);
-        let (count, all, what) = (fold.quads, fold.of, element.folded_plural());
+        // Of springs it is the quads between them, cells fold themselves.
+        let what = if element == Element::Spring { "quads" } else { element.plural() };
+        let (count, all) = (fold.quads, fold.of);
         let (length, end) = if fold.stays {
             ("to the end".to_owned(), "still at the end")
         } else {

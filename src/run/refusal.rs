@@ -97,15 +97,7 @@ pub fn unstopped<T>(outcome: Result<T, Refusal>) -> Option<Result<T, Refusal>> {
 impl Refusal {
     /// Whether another input would help.
     pub fn is_of_input(&self) -> bool {
-        match self {
-            Self::Scenario(_)
-            | Self::StepAboveLimit { .. }
-            | Self::StepTooShort { .. }
-            | Self::WindowTooLong { .. }
-            | Self::WentThrough(_)
-            | Self::IntegratorUnfit { .. } => true,
-            Self::NotFinite { .. } | Self::ToleranceNotMet { .. } | Self::Cancelled => false,
-        }
+        !matches!(self, Self::NotFinite { .. } | Self::ToleranceNotMet { .. } | Self::Cancelled)
     }
 }
 

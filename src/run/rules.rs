@@ -140,7 +140,8 @@ impl MeshScatter {
 }
 
 /// What a mesh is made of, and what its work is counted in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum Element {
     /// Between two point masses.
     Spring,
@@ -157,20 +158,9 @@ impl Element {
         }
     }
 
-    /// What folds: the quads between springs, or the cells themselves.
-    pub fn folded_plural(self) -> &'static str {
-        match self {
-            Self::Spring => "quads",
-            Self::Cell => "cells",
-        }
-    }
-
     /// What one is called.
     pub fn singular(self) -> &'static str {
-        match self {
-            Self::Spring => "spring",
-            Self::Cell => "cell",
-        }
+        self.into()
     }
 }
 
@@ -179,8 +169,7 @@ pub(crate) fn share_for(target: f64, error: f64, order: i32) -> f64 {
     libm::pow(target / error, 1.0 / f64::from(order))
 }
 
-/// The share of its step that a run with too large an `error` takes next: a little less than
-/// should do, between a half and four fifths.
+/// The share of its step that a run with too large an `error` takes next: less than should do.
 pub(crate) fn next_share(target: f64, error: f64, order: i32) -> f64 {
     (0.8 * share_for(target, error, order)).clamp(0.5, 0.8)
 }

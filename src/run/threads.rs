@@ -31,10 +31,8 @@ pub fn beside<A: Send, B>(other: impl FnOnce() -> A + Send, own: impl FnOnce() -
 /// Starts a thread of its own, or says that none can start.
 #[cfg(feature = "app")]
 pub fn start(work: impl FnOnce() + Send + 'static) -> io::Result<()> {
-    match thread::Builder::new().spawn(work) {
-        Ok(_) => Ok(()),
-        Err(error) => Err(io::Error::other(format!("no thread can start: {error}"))),
-    }
+    let started = thread::Builder::new().spawn(work).map(drop);
+    started.map_err(|error| io::Error::other(format!("no thread can start: {error}")))
 }
 
 /// Whether rayon has threads for the caller: its own pool, or the common one, which is begun here.

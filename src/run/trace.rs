@@ -1,7 +1,6 @@
 //! What is followed over time: every result that has a trace, and what explains them.
 //!
-//! A result joins [`TRACES`] by its [`ResultTrace`] in the table of results; what is no result,
-//! such as the load, is a row here.
+//! A result joins [`TRACES`] by its [`ResultTrace`]; what is none, as the load, is a row here.
 
 use crate::run::kept::Traces;
 use crate::run::quantity::{Quantity, factor_to};
@@ -96,11 +95,8 @@ impl Trace {
 
     /// What it is called with these traces: what drives the eye is the load or the contact.
     pub fn label(self, traces: &Traces) -> &'static str {
-        if self == Self::Other(OtherTrace::Drive) && by_contact(traces) {
-            Quantity::Contact.row().short
-        } else {
-            self.row().label
-        }
+        let contact = self == Self::Other(OtherTrace::Drive) && by_contact(traces);
+        if contact { Quantity::Contact.row().short } else { self.row().label }
     }
 }
 

@@ -4,12 +4,10 @@
 //! that join two fields are written out here. Only what has been checked can be simulated.
 
 use crate::plain_text::printable;
-use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
+use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
-use crate::scenario::{
-    FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, doubt, fields,
-};
-use crate::scenario::{Projectile, Scenario, Support};
+use crate::scenario::{FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile};
+use crate::scenario::{Scenario, Support, doubt, fields};
 use std::ops::Deref;
 
 /// A scenario whose every value is allowed: what simulations take. It cannot be changed.
@@ -36,8 +34,7 @@ impl Scenario {
     }
 }
 
-/// Makes a 0 of -0 and of what is so near to 0 that a float has fewer digits for it: products of it
-/// have none at all, and it is slow to compute with.
+/// Makes a 0 of -0 and of subnormal numbers, whose products have no digits and which are slow.
 pub(super) fn near_zero_is_zero(scenario: &mut Scenario) {
     let zeroed = |number: &mut f64| {
         if number.is_finite() && !number.is_normal() {
@@ -92,8 +89,8 @@ fn outcome(problems: Vec<Problem>) -> Result<(), ScenarioError> {
 
 fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
     let complaint = match &field.kind {
-        Kind::Number(bounds, place) => outside(*bounds, *(place.get)(scenario)?),
-        Kind::OptionalNumber(bounds, place) => outside(*bounds, (*(place.get)(scenario)?)?),
+        Kind::Number(bounds, place) => bounds.refuse(*(place.get)(scenario)?),
+        Kind::OptionalNumber(bounds, place) => bounds.refuse((*(place.get)(scenario)?)?),
         Kind::Integer(min, max, place) => {
             (!(min..=max).contains(&(place.get)(scenario)?)).then_some("is out of range")
         }
@@ -119,18 +116,9 @@ fn check_field(field: &Field, scenario: &Scenario) -> Option<Problem> {
         }
         Kind::Choice(_) => None,
     }?;
-    let value = match &field.kind {
-        Kind::Text(..) => format!("{:?}", field.text(scenario)?),
-        _ => field.text(scenario)?,
-    };
+    let text = field.text(scenario)?;
+    let value = if matches!(field.kind, Kind::Text(..)) { format!("{text:?}") } else { text };
     Some(Problem::refused(field.path, &value, complaint, field.allowed_in(scenario)))
-}
-
-fn outside(Bounds { min, max, .. }: Bounds, number: f64) -> Option<&'static str> {
-    if !number.is_finite() {
-        return Some("is not a finite number");
-    }
-    (!(min..=max).contains(&number)).then_some("is out of range")
 }
 
 /// The Paper model takes no object: in its flat section a ball is a rod.

@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bad_line_is_named_with_its_number_and_value() {
+    fn a_bad_line_and_the_first_too_many_are_named_with_their_number() {
         for (text, said) in [
             ("", "no knots"),
             ("# nothing\n", "no knots"),
@@ -220,10 +220,6 @@ mod tests {
             let complaint = complaint(text);
             assert!(complaint.starts_with(said), "{text:?}: {complaint}");
         }
-    }
-
-    #[test]
-    fn a_long_recording_is_refused_at_the_first_line_too_many() {
         let rows = (0..5000).map(|i| format!("{},1\n", f64::from(i) * 1e-3));
         let text: String = std::iter::once("t_ms,share\n".to_owned()).chain(rows).collect();
         assert!(text.len() as u64 <= text_file::LIMIT);

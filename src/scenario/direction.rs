@@ -118,8 +118,7 @@ impl Projectile {
         let angle = self.angle_deg.to_radians();
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
         let between = (self.angle_clock - self.offset_clock) * TAU / HOURS;
-        // The aim is a point of the plane across the path: of the direction beside the eye's axis
-        // that is named, what lies along the path is taken off.
+        // The aim is a point of the plane across the path: what lies along the path is taken off.
         let along = -sin * libm::cos(between);
         let across = (1.0 - along * along).max(0.0).sqrt();
         let back = if across > 0.0 { -along * cos / across * self.offset_mm } else { 0.0 };

@@ -7,11 +7,9 @@ mod words;
 
 use self::words::Directions;
 use crate::scenario::{FASTEST_M_S, ForcePulse, Geometry, Impact, auto::AUTO, direction::HOURS};
-use crate::scenario::{
-    Integrator, Lens, Model, Outline, Physiological, integrator, problem::plain,
-};
-use crate::scenario::{Projectile, ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species};
-use crate::scenario::{Support, Surface};
+use crate::scenario::{Integrator, Lens, Model, Outline, Physiological, Projectile};
+use crate::scenario::{ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species, Support};
+use crate::scenario::{Surface, integrator, problem::plain};
 
 /// Characters that a name may have.
 pub const LONGEST_NAME: usize = 80;
@@ -59,6 +57,16 @@ pub struct Bounds {
     pub coarse: f64,
 }
 
+impl Bounds {
+    /// What is wrong with a number, if anything.
+    pub(super) fn refuse(self, number: f64) -> Option<&'static str> {
+        if !number.is_finite() {
+            return Some("is not a finite number");
+        }
+        (!(self.min..=self.max).contains(&number)).then_some("is out of range")
+    }
+}
+
 /// How to reach a value; `None` where the present variant has no such field.
 pub struct Place<T: 'static> {
     /// Gives the value to read.
@@ -85,8 +93,7 @@ pub trait Choices {
     }
     /// The present variant; `None` where the scenario has no such field.
     fn get(&self, scenario: &Scenario) -> Option<&'static str>;
-    /// Takes the named variant with its default content, or keeps that which is there already.
-    /// `false` if there is no such variant or no such field.
+    /// Takes the named variant by default, or keeps it; `false` without such a variant or field.
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool;
 }
 
@@ -212,22 +219,18 @@ const INTEGRATORS: OneOf<Option<Integrator>> = OneOf {
     written: &[],
 };
 
-const fn field(
-    path: &'static str,
-    label: &'static str,
-    unit: &'static str,
-    help: &'static str,
-    kind: Kind,
-) -> Field {
+type Words = &'static str;
+
+const fn field(path: Words, label: Words, unit: Words, help: Words, kind: Kind) -> Field {
     Field { path, label, unit, help, kind }
 }
 
-const fn within_bounds(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
+/// Bounds with a small and a large step.
+const fn b(min: f64, max: f64, fine: f64, coarse: f64) -> Bounds {
     Bounds { min, max, fine, coarse }
 }
 
 use Kind::{Choice, Integer, Integers, Number, OptionalNumber, Text};
-use within_bounds as b;
 
 /// Every field, in the order in which a form shows them.
 #[rustfmt::skip]
@@ -307,8 +310,7 @@ pub fn find(path: &str) -> Option<&'static Field> {
 }
 
 impl Field {
-    /// The present value as text that [`crate::scenario::set::set`] accepts, or `None` where the
-    /// present variant has no such field.
+    /// The present value as [`crate::scenario::set::set`] takes it, where there is such a field.
     pub fn text(&self, scenario: &Scenario) -> Option<String> {
         match &self.kind {
             Number(_, place) => (place.get)(scenario)

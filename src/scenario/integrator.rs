@@ -1,5 +1,4 @@
-//! The integrators that a scenario may name; none is spelled `Auto`. What each of them is stands in
-//! `models::paper::time::method`.
+//! The integrators that a scenario may name, or `Auto`; see `models::paper::time::method`.
 
 use crate::scenario::auto::AUTO;
 use serde::{Deserializer, Serializer, de};
@@ -73,8 +72,7 @@ impl de::Visitor<'_> for ChoiceVisitor {
     }
 
     fn visit_str<E: de::Error>(self, name: &str) -> Result<Self::Value, E> {
-        choices()
-            .find(|choice| spelling(*choice) == name)
-            .ok_or_else(|| E::unknown_variant(name, &SPELLINGS))
+        let named = choices().find(|choice| spelling(*choice) == name);
+        named.ok_or_else(|| E::unknown_variant(name, &SPELLINGS))
     }
 }

@@ -147,10 +147,7 @@ pub fn resolve(argument: &str) -> Result<Scenario, ScenarioError> {
         let own = is_plain(argument) && path.symlink_metadata().is_err();
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let mut names = [argument, &stem].into_iter().filter(|_| own);
-        match names.find_map(own_preset) {
-            Some(preset) => preset.scenario(),
-            None => load(path),
-        }
+        names.find_map(own_preset).map_or_else(|| load(path), |preset| preset.scenario())
     } else {
         find(argument)?.scenario()
     }

@@ -3,9 +3,8 @@
 use crate::plain_text::MAX_LINES;
 use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::problem::{Problem, ScenarioError};
-use crate::scenario::{
-    Scenario, locate::locate, ron_text::read, text_file, text_file::without_mark,
-};
+use crate::scenario::{Scenario, locate::locate, ron_text::read};
+use crate::scenario::{text_file, text_file::without_mark};
 use std::path::Path;
 
 pub use crate::scenario::ron_text::to_ron;
@@ -73,10 +72,8 @@ mod tests {
         let lines: Vec<_> = complaint.lines().collect();
         assert_eq!(lines.len(), 3);
         assert!(lines[0].starts_with("x.ron:2:8: name: \"\" is empty: allowed"));
-        assert_eq!(
-            lines[1],
-            "x.ron:4:12: impact.force_n: -5 is out of range: allowed 0 to 100000 N"
-        );
+        let out_of_range = "x.ron:4:12: impact.force_n: -5 is out of range: allowed 0 to 100000 N";
+        assert_eq!(lines[1], out_of_range);
         assert!(lines[2].starts_with("x.ron:6:13: window_ms: NaN is not a finite number"));
     }
 
@@ -99,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn the_physiological_model_may_stand_without_brackets() {
+    fn the_physiological_model_may_stand_without_brackets_and_a_byte_order_mark_before_all() {
         let object = "impact: Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 5)";
         for model in ["Physiological", "Physiological()", "Physiological (species: Human)"] {
             for end in [",", "\n,"] {
@@ -113,10 +110,6 @@ mod tests {
         assert_eq!(scenario.model, Model::Physiological(Physiological::default()));
         let error = complaint("(name: \"x\", impact: Projectile(mass_g: 1, speed_m_s: 5))");
         assert!(error.contains("diameter_mm"), "{error}");
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_passed_over() {
         assert!(parse(&format!("\u{feff}{}", to_ron(&Scenario::default())), "x").is_ok());
     }
 }

@@ -96,17 +96,11 @@ fn named<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Model>, D:
 }
 
 impl From<WrittenScenario> for Scenario {
-    fn from(mut written: WrittenScenario) -> Self {
-        written.impact.by_the_clock();
-        Self {
-            name: written.name,
-            model: written.model.unwrap_or_else(|| Model::usual_for(&written.impact)),
-            impact: written.impact,
-            window_ms: written.window_ms,
-            eye: written.eye,
-            numerics: written.numerics,
-            doubt: written.doubt,
-        }
+    fn from(written: WrittenScenario) -> Self {
+        let WrittenScenario { name, model, mut impact, window_ms, eye, numerics, doubt } = written;
+        impact.by_the_clock();
+        let model = model.unwrap_or_else(|| Model::usual_for(&impact));
+        Self { name, model, impact, window_ms, eye, numerics, doubt }
     }
 }
 
@@ -231,13 +225,8 @@ pub struct ForcePulse {
 
 impl Default for ForcePulse {
     fn default() -> Self {
-        Self {
-            force_n: 300.0,
-            duration_ms: 0.2,
-            angle_deg: 0.0,
-            half_width_deg: 20.0,
-            shape: PulseShape::default(),
-        }
+        let shape = PulseShape::default();
+        Self { force_n: 300.0, duration_ms: 0.2, angle_deg: 0.0, half_width_deg: 20.0, shape }
     }
 }
 
@@ -270,30 +259,20 @@ struct WrittenPulse {
 
 impl Default for WrittenPulse {
     fn default() -> Self {
-        let pulse = ForcePulse::default();
-        Self {
-            force_n: pulse.force_n,
-            duration_ms: None,
-            angle_deg: pulse.angle_deg,
-            half_width_deg: pulse.half_width_deg,
-            shape: pulse.shape,
-        }
+        let ForcePulse { force_n, angle_deg, half_width_deg, shape, .. } = ForcePulse::default();
+        Self { force_n, duration_ms: None, angle_deg, half_width_deg, shape }
     }
 }
 
 impl From<WrittenPulse> for ForcePulse {
     fn from(written: WrittenPulse) -> Self {
-        let own = match &written.shape {
+        let WrittenPulse { force_n, duration_ms, angle_deg, half_width_deg, shape } = written;
+        let own = match &shape {
             PulseShape::Table(curve) => curve.last_ms(),
             _ => Self::default().duration_ms,
         };
-        Self {
-            force_n: written.force_n,
-            duration_ms: written.duration_ms.unwrap_or(own),
-            angle_deg: written.angle_deg,
-            half_width_deg: written.half_width_deg,
-            shape: written.shape,
-        }
+        let duration_ms = duration_ms.unwrap_or(own);
+        Self { force_n, duration_ms, angle_deg, half_width_deg, shape }
     }
 }
 

@@ -103,15 +103,11 @@ impl From<Problem> for ScenarioError {
     }
 }
 
-/// A number as short as it can be written without loss, with an exponent only where digits
-/// would become hard to count.
+/// A number in the fewest digits without loss, with an exponent where they are hard to count.
 pub fn plain(number: f64) -> String {
     let size = number.abs();
-    if size != 0.0 && size.is_finite() && !(1e-7..1e15).contains(&size) {
-        format!("{number:e}")
-    } else {
-        format!("{number}")
-    }
+    let exponent = size != 0.0 && size.is_finite() && !(1e-7..1e15).contains(&size);
+    if exponent { format!("{number:e}") } else { format!("{number}") }
 }
 
 /// Characters from which on a part of a name can stand for it.

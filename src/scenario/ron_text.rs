@@ -121,12 +121,8 @@ fn explain(
         Error::Message(message) => Problem::new(path, message).at(before),
         code => {
             // What precedes the error did parse, so the start of the value can be found in it.
-            let inside = path.strip_prefix(under).unwrap_or(path);
-            let start = if inside.contains('[') {
-                cursor
-            } else {
-                locate(text, inside.trim_start_matches('.'))
-            };
+            let inside = path.strip_prefix(under).unwrap_or(path).trim_start_matches('.');
+            let start = if inside.contains('[') { cursor } else { locate(text, inside) };
             match expected(path).filter(|_| about_the_value(code, start == cursor)) {
                 Some((complaint, allowed)) => match word_at(text, start) {
                     "" => Problem::lacking(path, "a value is missing", allowed),

@@ -71,28 +71,22 @@ fn group(path: &str) -> Option<Replace> {
 struct Doubts(#[serde(deserialize_with = "doubt::once")] BTreeMap<String, f64>);
 
 /// The dotted path that is meant by its end, with or without the unit: `speed` where only
-/// `impact.speed_m_s` fits. A field that the scenario has goes before one that it has not. What
-/// fits nothing, or several, stays as it was typed.
+/// `impact.speed_m_s` fits, in this scenario or at all. What fits none or several stays as typed.
 pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
     let typed = typed.trim();
     let is_known = |path: &str| fields::find(path).is_some() || group(path).is_some();
     if is_known(typed) {
         return typed;
     }
-    match &fitting(scenario, typed)[..] {
-        [only] => only.path,
-        _ => typed,
-    }
+    if let [only] = fitting(scenario, typed)[..] { only.path } else { typed }
 }
 
-/// Puts changes of the model before all others, which else keep their order: a word such as the
-/// nose means a place of the eye that is meant in the end.
+/// Puts changes of the model first: a word such as the nose means a place of the eye in the end.
 pub fn model_first<T>(scenario: &Scenario, changes: &mut [T], path: impl Fn(&T) -> &str) {
     changes.sort_by_key(|change| !full_path(scenario, path(change)).starts_with("model"));
 }
 
-/// The fields that end as typed; if there are none, those that do but for their unit. Of these,
-/// what the scenario has, if it has any.
+/// The fields that end as typed, else those that do but for their unit; first what is there.
 fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
     let ends = |path: &str, with_unit: bool| {
         let starts = path.match_indices('.').map(|(at, _)| at + 1).chain([0]);
@@ -161,8 +155,7 @@ fn confirm(scenario: &mut Scenario, path: &str) {
     }
 }
 
-/// Puts a number into a field that holds one, unchecked; any doubt of it stays. It counts as set
-/// by a person.
+/// Puts a number, unchecked, into its field as a person does; any doubt of it stays.
 pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
     match &field.kind {
         Kind::Number(_, place) => store((place.get_mut)(scenario), Some(value)),
@@ -200,11 +193,10 @@ fn set_field(scenario: &mut Scenario, field: &Field, text: &str) -> Result<(), S
     if done {
         return Ok(());
     }
+    let allowed = field.allowed_in(scenario);
     if text.is_empty() {
-        let allowed = field.allowed_in(scenario);
         return Err(Problem::lacking(field.path, "nothing is there", allowed).into());
     }
-    let allowed = field.allowed_in(scenario);
     let complaint = match &field.kind {
         Kind::Choice(choices) => {
             let Some(why) = choices.unclear(text) else {
@@ -228,10 +220,8 @@ fn store<T>(place: Option<&mut T>, value: Option<T>) -> bool {
 
 /// What stands before a field's own unit, where it follows a number: 30 of `30 m/s`.
 fn without_unit<'a>(field: &Field, text: &'a str) -> &'a str {
-    match text.strip_suffix(field.unit).map(str::trim_end) {
-        Some(bare) if bare.ends_with(|last: char| last.is_ascii_digit()) => bare,
-        _ => text,
-    }
+    let bare = text.strip_suffix(field.unit).map(str::trim_end);
+    bare.filter(|bare| bare.ends_with(|last: char| last.is_ascii_digit())).unwrap_or(text)
 }
 
 fn number(text: &str) -> Option<f64> {
@@ -263,8 +253,7 @@ fn words(text: &str, path: &str) -> Result<Option<String>, ScenarioError> {
     if is_quoted { read(text, path).map(Some) } else { Ok(Some(text.to_owned())) }
 }
 
-/// The variant that is meant by `VelocityVerlet`, `velocity-verlet` or `velocity_verlet`, or by
-/// another word for it.
+/// The variant meant by `VelocityVerlet`, `velocity-verlet`, `velocity_verlet` or another word.
 fn named(choices: &dyn Choices, scenario: &Scenario, text: &str) -> Option<&'static str> {
     let bare = |name: &str| name.replace(['-', '_'], "").to_ascii_lowercase();
     let mut names = choices.names().into_iter().chain(choices.get(scenario));

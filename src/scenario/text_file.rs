@@ -20,15 +20,13 @@ pub(super) fn read(path: &Path) -> Result<String, String> {
         return Err("is not a regular file".to_owned());
     }
     let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(LIMIT + 1).read_to_end(&mut bytes))
-        .map_err(reason)?;
+    let file = File::open(path).map_err(reason)?;
+    file.take(LIMIT + 1).read_to_end(&mut bytes).map_err(reason)?;
     if bytes.len() as u64 > LIMIT {
         return Err(format!("is larger than {} KiB", LIMIT / 1024));
     }
     String::from_utf8(bytes).map_err(|error| {
-        let valid = error.utf8_error().valid_up_to();
-        let before = &error.as_bytes()[..valid];
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = before.split(|byte| *byte == b'\n').count();
         format!("is not UTF-8 text (line {line})")
     })

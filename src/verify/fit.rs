@@ -20,8 +20,7 @@ pub const PATH: &str = "model.fat_bulk_mpa";
 pub const STEP: f64 = 0.05;
 /// How many are tried, from one step on.
 const COUNT: u32 = 20;
-/// A value fits nearly as well if its misfit is no more than this above the least misfit of all:
-/// 95 % for one number if misfits are normal.
+/// How far above the least misfit still fits nearly as well: 95 % for one number, if normal.
 const NEARLY: f64 = 3.84;
 
 /// One value of the free number.

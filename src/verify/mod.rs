@@ -1,5 +1,4 @@
-//! Whether what is claimed holds: the program against references, and the models against
-//! experiments.
+//! Whether what is claimed holds: the program against references, models against experiments.
 
 pub mod claims;
 pub mod experiments;

@@ -1,5 +1,4 @@
-//! Every published experiment run again on three neighbouring meshes, and what was read beside
-//! what was measured.
+//! Every published experiment run again on three neighbouring meshes, beside what was measured.
 //!
 //! Left out: judgement. A row that misses stays in the table with its ratio.
 

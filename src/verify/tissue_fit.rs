@@ -94,12 +94,6 @@ impl TestObject {
     fn at(&self, energy: f64, species: Species) -> Scenario {
         self.with(energy * (FRAC_PI_4 * (self.diameter_mm * 1e-3).powi(2)), species)
     }
-
-    /// This object with a mass one standard deviation larger, where that is assumed.
-    fn heavier(&self) -> Option<Self> {
-        let mass_g = self.mass_g + self.doubt_g;
-        (self.doubt_g > 0.0).then_some(Self { mass_g, ..*self })
-    }
 }
 
 struct Match {
@@ -257,8 +251,10 @@ impl Match {
         let apart = 0.5 * slope * libm::log10(published);
         let eyes = self.spread * slope;
         // Masses that are assumed move the mean by their share of it.
-        let masses = felt.iter().filter_map(|(kind, felt)| {
-            let moved = self.felt(&kind.heavier()?, 1.0, runs)? - felt;
+        let assumed = felt.iter().filter(|(kind, _)| kind.doubt_g > 0.0);
+        let masses = assumed.filter_map(|(kind, felt)| {
+            let heavier = TestObject { mass_g: kind.mass_g + kind.doubt_g, ..**kind };
+            let moved = self.felt(&heavier, 1.0, runs)? - felt;
             Some((moved / logs.len() as f64).powi(2))
         });
         let masses: f64 = masses.sum::<f64>().sqrt();

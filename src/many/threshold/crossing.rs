@@ -100,7 +100,8 @@ impl ThresholdSearch {
         let bounds = &self.bounds;
         let [from, to] = [at - aside, at + aside].map(|x| x.clamp(bounds.min, bounds.max));
         // Where nothing is beyond an end the slope is not known.
-        let [low, high] = [from, to].map(|end| if_known(self.answer_at(end, stop)));
+        let answer_at = |end| solve(&self.at(end)?, Keep::default(), &mut until(stop));
+        let [low, high] = [from, to].map(|end| if_known(answer_at(end)));
         let value = |answer: &Answer| answer.results()[self.quantity];
         let rise = low?.zip(high?).and_then(|(low, high)| Some(value(&high)? - value(&low)?));
         let off = |errors: Option<&Results>| {
@@ -113,8 +114,7 @@ impl ThresholdSearch {
         Ok(crossing)
     }
 
-    /// From which to which value of the field the range of a risk holds the target: by runs at
-    /// other values, with what is not known at the crossing `at`.
+    /// Between which values of the field the range of a risk holds the target, as known at `at`.
     fn risk_range(
         &self,
         injury: Injury,

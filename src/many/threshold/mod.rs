@@ -21,9 +21,9 @@ use std::sync::atomic::AtomicBool;
 
 pub use crossing::{Crossing, RiskThere};
 
-use crate::answer::{brief::single, results::Results, solve::Answer, solve::solve};
+use crate::answer::{brief::single, results::Results};
 use crate::many::{root::Bracket, sweep::spaced};
-use crate::run::{flags::PRESSED_FLAT, kept::Keep, ordered, ordered::until, quantity::Quantity};
+use crate::run::{flags::PRESSED_FLAT, ordered, ordered::until, quantity::Quantity};
 use crate::run::{refusal::Refusal, refusal::unstopped};
 use crate::scenario::{CheckedScenario, Impact, Model, Scenario, doubt::number, fields};
 use crate::scenario::{fields::Bounds, fields::Field, fields::Kind, problem::five_nearest};
@@ -106,10 +106,6 @@ impl ThresholdSearch {
     fn absent(&self, but: &str) -> Refusal {
         let message = format!("this scenario has no such result{but}");
         ScenarioError::from(Problem::new(self.quantity.key(), message)).into()
-    }
-
-    fn answer_at(&self, value: f64, stop: &AtomicBool) -> Result<Answer, Refusal> {
-        solve(&self.at(value)?, Keep::default(), &mut until(stop))
     }
 
     /// The value of the field now.

@@ -1,13 +1,9 @@
 //! Tests of the parent module.
 
 use crate::scenario::set::*;
-use crate::scenario::{
-    EyeInput, ForcePulse, Impact, Integrator, Lens, fields::tests::every_variant,
-};
-use crate::scenario::{
-    Physiological, Projectile, ProjectileStiffness, library::tests::preset, load,
-};
-use crate::scenario::{PulseShape, Species};
+use crate::scenario::{EyeInput, ForcePulse, Impact, Integrator, Lens, Physiological, Projectile};
+use crate::scenario::{ProjectileStiffness, PulseShape, Species, fields::tests::every_variant};
+use crate::scenario::{library::tests::preset, load};
 
 fn with(mut scenario: Scenario, path: &str, text: &str) -> Scenario {
     set(&mut scenario, path, text).unwrap_or_else(|error| panic!("{path}={text}: {error}"));
@@ -78,7 +74,7 @@ fn projectiles_and_models_are_set_whole_or_by_field() {
 }
 
 #[test]
-fn scalars_are_set_by_their_path() {
+fn scalars_are_set_by_their_path_and_names_in_any_spelling() {
     assert_eq!(pulse(&after("impact.force_n", " 4.5e2 ")).force_n, 450.0);
     assert_eq!(pulse(&after("impact.force_n", "1_000")).force_n, 1000.0);
     assert_eq!(after("eye.lens", "soft").eye.lens, Lens::Soft);
@@ -96,10 +92,6 @@ fn scalars_are_set_by_their_path() {
         assert_eq!(after("eye.filament_hops", text).eye.filament_hops, [2, 3]);
     }
     assert!(after("eye.filament_hops", "[]").eye.filament_hops.is_empty());
-}
-
-#[test]
-fn names_are_taken_in_any_spelling() {
     for text in ["VelocityVerlet", "velocity-verlet", "VELOCITY_VERLET"] {
         let scenario = after("numerics.integrator", text);
         assert_eq!(scenario.numerics.integrator, Some(Integrator::VelocityVerlet));
@@ -120,7 +112,7 @@ fn groups_are_replaced_as_in_a_file() {
 }
 
 #[test]
-fn refusals_name_the_value_and_what_is_allowed() {
+fn refusals_name_the_value_and_what_is_allowed_or_lead_to_the_right_path() {
     assert_eq!(
         refusal("impact.force_n", "abc"),
         "impact.force_n: abc is not a number: allowed 0 to 100000 N"
@@ -132,10 +124,6 @@ fn refusals_name_the_value_and_what_is_allowed() {
     assert!(refusal("eye", "(level: 9)").starts_with("eye.level: 9 is out of range"));
     assert!(refusal("eye", "(levle: 1)").contains("did you mean level?"));
     assert!(refusal("impact.shape", "Square").contains("Triangle, HalfSine"));
-}
-
-#[test]
-fn refusals_of_a_path_lead_to_the_right_one() {
     assert!(refusal("farce_n", "1").contains("did you mean impact.force_n?"));
     assert!(refusal("", "1").contains("there is no such field"));
     assert_eq!(
@@ -203,8 +191,7 @@ fn what_is_next_to_nothing_is_nothing() {
         let read = load::parse(&text, "x").unwrap();
         assert!(load::to_ron(&read).contains("force_n: 0.0,"), "{tiny}");
     }
-    // What is below an end of a range is outside it, however little; what must not be 0 must not be
-    // that either.
+    // What is below an end of a range, or must not be 0, is refused however small.
     for (path, tiny) in
         [("impact.force_n", "-4e-320"), ("window_ms", "4e-320"), ("numerics.step_us", "4e-320")]
     {
