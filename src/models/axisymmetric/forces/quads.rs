@@ -7,7 +7,7 @@
 //! all that it bounds. Eight divisions become one by way of the product. No operation is fused and
 //! sums are kept by place, so every vector width gives the same bits.
 
-use crate::models::axisymmetric::forces::cell::{FLAT, SQUEEZED};
+use crate::models::axisymmetric::forces::cell::{ASSEMBLED, EASED, FLAT, PRESSED, SQUEEZED};
 use crate::models::axisymmetric::forces::rows::{CellGroup, CellRows, RowRun, field};
 use crate::models::axisymmetric::forces::state::{CellSums, NodeState, Totals};
 use crate::models::paper::forces::lanes::{V, load, splat, store};
@@ -264,17 +264,16 @@ fn cells<S: Simd>(
     let stiff = c!(field::BULK_SPEED) * inverse_j * inverse_j + c!(field::OTHER_SPEED);
     let waves = ((stiff + viscous_speed * viscous_speed).sqrt() + viscous_speed) * inverse_length;
     let diffusion = number!(4.0) * c!(field::KINEMATIC) * inverse_length * inverse_length;
-    let mut most = load(simd, &totals.rate, lane).max(waves.max(diffusion));
 
     // Pressures of the corners, which are subtracted from an edge's coefficient.
     let mut whole = pressure + artificial;
-    let mut least = load(simd, &totals.corner, lane);
+    let mut least = number!(f64::INFINITY);
     let eta = c!(field::CORNER) * length;
     let absent = c!(field::ABSENT);
     let mut shrinking = number!(0.0);
     let own: [V<S>; 4] = four!(i => {
         let j = triangle[i] * c!(field::INVERSE_TRIANGLE + i);
-        least = least.min(j + absent);
+        least = least.min(j);
         let over = at_rest[i] * inverse_squeezed[i];
         let cube = over * over * over;
         let below = number!(SQUEEZED) - j.min(number!(SQUEEZED));
@@ -288,8 +287,13 @@ fn cells<S: Simd>(
         loss += share * shape_rate;
         elastic - viscous
     });
-    store::<S>(&mut totals.corner, lane, least);
-    most = most.max(-(shrinking * c!(field::SHRINKING)));
+    let seen = load(simd, &totals.corner, lane).min(least + absent);
+    store::<S>(&mut totals.corner, lane, seen);
+    let counts = number!(1.0) - number!(EASED) * (least - number!(PRESSED));
+    let counts = counts.max(number!(1.0 / ASSEMBLED)).min(number!(1.0));
+    let rate = waves.max(diffusion) * counts;
+    let rate = rate.max(-(shrinking * c!(field::SHRINKING)));
+    let most = load(simd, &totals.rate, lane).max(rate);
     store::<S>(&mut totals.rate, lane, most);
 
     let zero = number!(0.0);

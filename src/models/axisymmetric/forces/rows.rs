@@ -201,15 +201,11 @@ fn constants(rest: &Rest) -> Constants {
     c[field::LINEAR] = cell::LINEAR * density * sound;
     c[field::QUADRATIC] = cell::QUADRATIC * density;
     c[field::CORNER] = 0.5 * cell::SUBZONAL_VISCOSITY * density * corner_sound;
-    // Speeds count for the bound of the step alone.
-    let slower = 1.0 / cell::ASSEMBLED;
-    c[field::BULK_SPEED] = slower * slower * rest.material.bulk / density;
-    let other = (4.0 / 3.0 * rest.material.shear + rest.subzonal) / density;
-    c[field::OTHER_SPEED] = slower * slower * other;
-    let constant = cell::LINEAR * sound + 4.0 * cell::SUBZONAL_VISCOSITY * corner_sound;
-    c[field::CONSTANT_SPEED] = slower * constant;
-    c[field::KINEMATIC] = slower * rest.material.viscosity / density;
-    c[field::QUADRATIC_SPEED] = slower * cell::QUADRATIC;
+    c[field::BULK_SPEED] = rest.material.bulk / density;
+    c[field::OTHER_SPEED] = (4.0 / 3.0 * rest.material.shear + rest.subzonal) / density;
+    c[field::CONSTANT_SPEED] = cell::LINEAR * sound + 4.0 * cell::SUBZONAL_VISCOSITY * corner_sound;
+    c[field::KINEMATIC] = rest.material.viscosity / density;
+    c[field::QUADRATIC_SPEED] = cell::QUADRATIC;
     c[field::SHRINKING] = 1.0 / cell::LOSS_IN_STEP;
     c
 }
