@@ -196,8 +196,8 @@ mod tests {
     use crate::run::quantity::Quantity;
 
     /// By the usual scenario at a level, with the results there and at its witnesses.
-    fn error(level: u32, own: OnMesh, witness: [OnMesh; 2]) -> MeshError {
-        MeshError::of(&Scenario::default(), level, &own, witness.each_ref())
+    fn error(level: u32, own: &OnMesh, witness: &[OnMesh; 2]) -> MeshError {
+        MeshError::of(&Scenario::default(), level, own, witness.each_ref())
     }
 
     fn on(damage: f64, front: f64) -> OnMesh {
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn agreement_by_chance_is_no_convergence() {
-        let mesh = error(1, on(20.0, 50.0), [on(20.0, 50.0), on(20.0, 90.0)]);
+        let mesh = error(1, &on(20.0, 50.0), &[on(20.0, 50.0), on(20.0, 90.0)]);
         let damage = mesh.errors[Quantity::Damage].unwrap();
         assert!((damage - 5.5).abs() < 1e-12, "{damage}");
         // Two levels that far apart tell nothing, whatever the third says.
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn the_error_is_the_way_to_the_limit_and_what_that_is_known_to() {
-        let mesh = error(2, on(25.0, 50.0), [on(20.5, 50.0), on(20.0, 50.0)]);
+        let mesh = error(2, &on(25.0, 50.0), &[on(20.5, 50.0), on(20.0, 50.0)]);
         let limit = mesh.limits[Quantity::Damage].unwrap();
         let scatter = 0.75 * 0.75 * 0.055 * 20.0;
         assert!(limit.value == 20.0 && (limit.error - 1.0 - scatter).abs() < 1e-12);
@@ -231,10 +231,10 @@ mod tests {
     #[test]
     fn a_mesh_that_folds_tells_no_limit() {
         let folded = OnMesh { folded: Some(1e-4), ..on(20.0, 50.0) };
-        let mesh = error(1, on(20.0, 50.0), [on(20.0, 50.0), folded]);
+        let mesh = error(1, &on(20.0, 50.0), &[on(20.0, 50.0), folded]);
         assert!(mesh.errors.present().next().is_none());
         assert!(mesh.flag.unwrap().message.contains("level 3"));
-        let mesh = error(1, folded, [folded, folded]);
+        let mesh = error(1, &folded, &[folded, folded]);
         assert!(mesh.errors.present().next().is_none() && mesh.flag.is_none());
     }
 

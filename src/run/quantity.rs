@@ -139,7 +139,6 @@ impl Quantity {
     pub const FELT: [Self; 3] = [Self::Contact, Self::Pressure, Self::EquatorStretch];
 
     /// All that is known of it, from the one table.
-    #[expect(clippy::too_many_lines, reason = "the table: one arm for each result")]
     pub fn row(self) -> Row {
         use Group::{Energies, Inside, Motion, Projectile, Tissues};
         match self {
