@@ -1,4 +1,4 @@
-/* The plain loop of src/dynamics/plain.rs as a user would write it in C: velocity Verlet with exact drag over an
+/* The plain loop of src/models/paper/forces/plain.rs as a user would write it in C: velocity Verlet with exact drag over an
  * edge list. It reads the problem as numbers, then solves it once for every further line and prints the seconds
  * that took and the sum of all positions, by which the two programs are compared. */
 #include <math.h>
