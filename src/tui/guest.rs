@@ -21,8 +21,6 @@ pub const LONGEST_WINDOW_MS: f64 = 20.0;
 pub const MOST_SAMPLES: u32 = ensemble::FEW;
 /// The longest that one answer is worked on.
 pub const LONGEST_ANSWER: Duration = Duration::from_secs(30);
-/// In bytes.
-pub const MEMORY: u64 = 256 << 20;
 
 /// Whether a guest may have this simulated, or what is too much.
 pub fn allowed(scenario: &Scenario) -> Result<(), String> {
@@ -46,6 +44,8 @@ pub(super) fn confine() -> io::Result<()> {
 fn by_the_system() -> io::Result<()> {
     use rustix::process::{Resource, Rlimit, nice, setrlimit};
 
+    /// In bytes.
+    const MEMORY: u64 = 256 << 20;
     nice(19)?;
     for (resource, most) in [(Resource::Fsize, 0), (Resource::Core, 0), (Resource::Data, MEMORY)] {
         let most = Some(most);
