@@ -31,7 +31,7 @@ pub(crate) const SQUEEZED: f64 = 0.05;
 pub(crate) const LOSS_IN_STEP: f64 = 0.5;
 /// How many times the least bound of its cells a mesh bears: its nodes carry the mass of all cells
 /// around them, and neighbours do not swell at once. By the largest eigenvalue of whole meshes and
-/// shells, 1.5 times at least (a paintball that is flat) and 2 in the middle, over 17 blows from
+/// shells, 1.5 times at least (a paintball that is flat) and 2 in the middle, over 20 blows from
 /// rest to crushed on levels 1 to 3; tests ask some again.
 pub(crate) const ASSEMBLED: f64 = 1.4;
 /// Where a corner is pressed to this share of its volume, its viscosity bounds the step, and the
