@@ -20,10 +20,10 @@ fn ball(radius: f64, mass: f64, speed: f64) -> Object {
 }
 
 /// Goes on from `time` to `end` s by its own steps.
-fn follow(motion: &mut impl Marching, time: &mut f64, end: f64) {
+fn follow<M: Marching>(motion: &mut M, time: &mut f64, end: f64) {
     while *time < end {
         let now = motion.forces(*time);
-        let step = STEP_SHARE * bound(motion, *time);
+        let step = STEP_SHARE * M::bounds(&now).all;
         motion.advance(&now, step, step);
         *time += step;
     }

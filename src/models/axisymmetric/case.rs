@@ -13,7 +13,7 @@ use crate::models::axisymmetric::{drawing, flags, readings, rules::RULES, time::
 use crate::models::pulse::Pulse;
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::plan::{Cost, Plan};
+use crate::run::plan::Plan;
 use crate::run::{drawing::Drawing, places::Region, refusal::Refusal, rules::Rules, watch::Watch};
 use crate::scenario::problem::{Problem, plain};
 use crate::scenario::{
@@ -226,20 +226,12 @@ impl EyeModel for AxisymmetricCase {
         let window = self.window.within(plan.window);
         let run = run(&self.eye, &self.load, window, steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
-        let extremes = &run.extremes;
-        let readings = readings::of(extremes);
+        let extremes = run.extremes;
+        let told = readings::told(run, &extremes);
         Ok(Run {
-            details: readings::details(extremes),
-            flags: flags::raise(self, extremes, &readings, run.simulated),
-            readings,
-            fold: extremes.fold,
-            missed: extremes.missed(),
-            energy_residual: extremes.energy_residual,
-            sectors: None,
-            simulated: run.simulated,
-            traces: run.traces,
-            frames: run.frames,
-            cost: Cost { steps: run.steps, evaluations: run.steps + 1 },
+            details: readings::details(&extremes),
+            flags: flags::raise(self, &extremes, &told.readings, told.simulated),
+            ..told
         })
     }
 

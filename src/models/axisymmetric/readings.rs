@@ -1,7 +1,8 @@
 //! The table of what is read off the axisymmetric eye, under the public names.
 
-use crate::models::axisymmetric::recording::results::Extremes;
-use crate::run::model::{Detail, Shown};
+use crate::models::axisymmetric::recording::results::{EngineRun, Extremes};
+use crate::run::model::{Detail, Run, Shown};
+use crate::run::plan::Cost;
 use crate::run::quantity::Quantity;
 use crate::run::readings::{Reading, Readings};
 
@@ -53,4 +54,19 @@ pub(crate) fn common_details(e: &Extremes) -> [Detail; 4] {
         Detail::data("peak_rim_force_n", e.rim_force.value),
         Detail::data("peak_sensor_pressure_mpa", e.back_pressure.value * 1e-6),
     ]
+}
+
+/// What every eye of cells gives of a run with this account, but for details and flags.
+pub(crate) fn told<E, M>(run: EngineRun<E, M>, extremes: &Extremes) -> Run {
+    Run {
+        readings: of(extremes),
+        fold: extremes.fold,
+        missed: extremes.missed(),
+        energy_residual: extremes.energy_residual,
+        simulated: run.simulated,
+        traces: run.traces,
+        frames: run.frames,
+        cost: Cost { steps: run.steps, evaluations: run.steps + 1 },
+        ..Run::default()
+    }
 }

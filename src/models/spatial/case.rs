@@ -12,7 +12,7 @@ use crate::models::spatial::{drawing, forces::object::Aim, readings, rules::RULE
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
-use crate::run::plan::{Cost, Plan};
+use crate::run::plan::Plan;
 use crate::run::{drawing::Drawing, places::Region, refusal::Refusal, rules::Rules, watch::Watch};
 use crate::run::{raised::Raised, readings::Readings};
 use crate::scenario::Integrator;
@@ -157,20 +157,13 @@ impl EyeModel for SpatialCase {
         let window = self.window.within(plan.window);
         let run = run(&self.eye, &self.blow, window, steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
-        let extremes = &run.extremes;
-        let readings = axisymmetric::readings::of(&extremes.common);
+        let extremes = run.extremes;
+        let told = axisymmetric::readings::told(run, &extremes.common);
         Ok(Run {
-            details: readings::details(self, extremes, run.simulated),
-            flags: flags(self, extremes, &readings, run.simulated),
-            readings,
-            fold: extremes.common.fold,
-            missed: extremes.common.missed(),
-            energy_residual: extremes.common.energy_residual,
-            simulated: run.simulated,
+            details: readings::details(self, &extremes, told.simulated),
+            flags: flags(self, &extremes, &told.readings, told.simulated),
             sectors: Some(extremes.sectors),
-            traces: run.traces,
-            frames: run.frames,
-            cost: Cost { steps: run.steps, evaluations: run.steps + 1 },
+            ..told
         })
     }
 

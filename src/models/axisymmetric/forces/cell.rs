@@ -34,12 +34,11 @@ pub(crate) const LOSS_IN_STEP: f64 = 0.5;
 /// shells, 1.5 times at least (a paintball that is flat) and 2 in the middle, over 20 blows from
 /// rest to crushed on levels 1 to 3; tests ask some again.
 pub(crate) const ASSEMBLED: f64 = 1.4;
-/// Where a corner is pressed to this share of its volume, its viscosity bounds the step, and the
-/// cell counts as if by itself; the other is reached over so much more volume.
+/// Where its most squeezed corner has this share of its volume or less, that corner's viscosity
+/// bounds the step, and a cell counts as if by itself; from a tenth more on as one of many.
 pub(crate) const PRESSED: f64 = 0.25;
-const OVER: f64 = 0.1;
-/// How the part of a cell's rate that counts falls with the share of its most squeezed corner.
-pub(crate) const EASED: f64 = (1.0 - 1.0 / ASSEMBLED) / OVER;
+/// How what counts of a cell's rate falls from the one to the other, per share of the corner.
+pub(crate) const EASED: f64 = (1.0 - 1.0 / ASSEMBLED) / 0.1;
 /// Share of area or volume that a folded cell is taken to have, so that all stays finite.
 pub(crate) const FLAT: f64 = 1e-3;
 

@@ -10,7 +10,7 @@
 //! of the step watch over it.
 
 use crate::models::axisymmetric::eye::AxisymmetricEye;
-use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
+use crate::models::axisymmetric::eye::parameters::Parameters;
 use crate::models::axisymmetric::forces::contact::{Target, Touch};
 use crate::models::axisymmetric::forces::object::{MovingObject, Object, ObjectOutline};
 use crate::models::axisymmetric::forces::shell::{Shell, ShellState};
@@ -109,14 +109,6 @@ fn swing(eye: &AxisymmetricEye) -> f64 {
 /// [`swing`] with this mean of modulus times thickness, N/m.
 pub(crate) fn slowest_swing(p: &Parameters, stiffness: f64) -> f64 {
     2.0 * PI * (p.vitreous.density * p.radius.powi(3) / stiffness).sqrt()
-}
-
-/// How long the globe takes to come back once what holds it lets it go, in s: half of the swing of
-/// a sphere's mass on an incompressible medium of shear modulus G, which holds it at 6 pi G R per
-/// distance (Oestreicher 1951, slow and without its wave).
-pub(crate) fn return_on_fat(p: &Parameters, around: &Surround) -> f64 {
-    let mass = p.vitreous.density * 4.0 / 3.0 * PI * p.radius.powi(3);
-    PI * (mass / (6.0 * PI * around.material.shear * p.radius)).sqrt()
 }
 
 /// The load of a pulse on the shell's nodes.

@@ -18,7 +18,7 @@ use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 
 /// Courant number of contact over that of the cells.
-const COURANT: f64 = 0.67;
+const COURANT: f64 = 0.4 / 0.6;
 /// Points along each side of a quad.
 const POINTS: [f64; 2] = [0.25, 0.75];
 /// A quad may grow by this before it is looked at too late.

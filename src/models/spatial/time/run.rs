@@ -3,11 +3,12 @@
 //! The bound of the step is the least of those of cells and their corners, of the shell, of
 //! contact, of bone and of the object's spring.
 
+use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::axisymmetric::time::march::{
     Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
 };
-use crate::models::axisymmetric::time::run::{return_on_fat, slowest_swing};
+use crate::models::axisymmetric::time::run::slowest_swing;
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::axisymmetric::{forces::state::CellSums, recording::account::Account};
 use crate::models::axisymmetric::{recording::sensor::LowPass, time::due::FramesDue};
@@ -23,7 +24,7 @@ use crate::models::spatial::recording::{section::Section, sensor::Accelerometers
 use crate::run::kept::{Keep, Spacing};
 use crate::run::watch::{Watch, unwatched};
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Steps between two looks at whether the object is inside of the eye.
 const LOOK_EVERY: usize = 16;
@@ -103,6 +104,14 @@ pub fn run_through(
     let motion = Motion::new(eye, CellLoop::Rows, blow, keep, window.into());
     let run = motion.march(steps.into(), &mut unwatched, Some(take));
     run.map(|_| ())
+}
+
+/// How long the globe takes to come back once what holds it lets it go, in s: half of the swing of
+/// a sphere's mass on an incompressible medium of shear modulus G, which holds it at 6 pi G R per
+/// distance (Oestreicher 1951, slow and without its wave).
+fn return_on_fat(p: &Parameters, around: &Surround) -> f64 {
+    let mass = p.vitreous.density * 4.0 / 3.0 * PI * p.radius.powi(3);
+    PI * (mass / (6.0 * PI * around.material.shear * p.radius)).sqrt()
 }
 
 /// What flies at the eye.
