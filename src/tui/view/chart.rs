@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Borders, Widget};
 
-use crate::report::format::significant;
+use crate::report::format::trimmed;
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::{text::width, theme::Theme};
@@ -170,9 +170,9 @@ impl TimeChart<'_> {
         let (low, high) = if high > low { (low, high) } else { (low, low + 1.0) };
         let (first, last) = (self.span.0 * 1e3, self.span.1 * 1e3);
         let up = ticks(low, high, (field.height / 3).clamp(2, 6)).into_iter();
-        let up = up.map(|v| ((high - v) / (high - low), tick_label(v)));
+        let up = up.map(|v| ((high - v) / (high - low), trimmed(v)));
         let across = ticks(first, last, (field.width / 9).clamp(2, 10)).into_iter();
-        let across = across.map(|v| ((v - first) / (last - first), tick_label(v)));
+        let across = across.map(|v| ((v - first) / (last - first), trimmed(v)));
         axes(field, (up, across), 0, sheet);
         let mut raster = Raster::new(field, theme.look.symbols);
         let (columns, rows) = raster.size();
@@ -223,15 +223,6 @@ pub fn axis_lines(field: Rect, sheet: &mut Sheet) {
     let place = Rect::new(field.x - 1, field.y, field.width + 1, field.height + 1);
     let lines = Block::new().borders(Borders::LEFT | Borders::BOTTOM);
     lines.border_style(theme.quiet()).render(place, sheet.buffer);
-}
-
-/// A tick's number without needless zeros.
-pub fn tick_label(value: f64) -> String {
-    let text = significant(value);
-    if text.contains('e') || !text.contains('.') {
-        return text;
-    }
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// Round numbers between two bounds, about so many.

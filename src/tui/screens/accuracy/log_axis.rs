@@ -1,6 +1,6 @@
 //! A logarithmic axis: where a value lies on it, and which values are labelled.
 
-use crate::tui::view::chart;
+use crate::report::format::trimmed;
 
 /// Fewer ticks than so many tell nothing of an axis.
 const FEW: usize = 3;
@@ -60,7 +60,7 @@ impl LogAxis {
 
 /// A tick's number, which has one digit or two.
 pub fn tick_label(value: f64) -> String {
-    if (0.99e-3..1e6).contains(&value) { chart::tick_label(value) } else { format!("{value:.0e}") }
+    if (0.99e-3..1e6).contains(&value) { trimmed(value) } else { format!("{value:.0e}") }
 }
 
 #[cfg(test)]
