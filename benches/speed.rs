@@ -366,7 +366,7 @@ fn many_scenes(targets: &mut Targets) {
 /// The program from its start to its end.
 fn process(targets: &mut Targets) {
     const RUNS: usize = 41;
-    println!("\nThe program: run paper-300n --json");
+    println!("\nThe program: run paper-300n --quick --json");
     let mut solves = Vec::new();
     let mut walls = Vec::new();
     let mut ratios = Vec::new();
@@ -374,7 +374,7 @@ fn process(targets: &mut Targets) {
         let mut output = Vec::new();
         let wall = seconds(|| {
             output = Command::new(env!("CARGO_BIN_EXE_contrecoup"))
-                .args(["run", "paper-300n", "--json"])
+                .args(["run", "paper-300n", "--quick", "--json"])
                 .env("XDG_CONFIG_HOME", "/nonexistent")
                 .output()
                 .expect("the program starts")
