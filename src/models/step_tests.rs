@@ -104,7 +104,7 @@ fn an_eye_in_three_dimensions_takes_steps_that_its_largest_eigenvalue_allows() {
         let keep = Keep::default();
         let mut motion = SpatialMotion::new(&eye, CellLoop::Rows, &blow, keep, Until::Time(1.0));
         let mut time = 0.0;
-        for end in [0.0, 0.4e-3, 1.5e-3] {
+        for end in [0.0, 0.4e-3, 1.5e-3, 5e-3] {
             follow(&mut motion, &mut time, end);
             let step = STEP_SHARE * bound(&mut motion, time);
             let n = motion.state.at[0].len();

@@ -26,7 +26,7 @@ use crate::models::axisymmetric::forces::cell::{
 use crate::models::spatial::eye::{Cell, SpatialEye};
 use crate::models::spatial::forces::corner::{self, Corners};
 use crate::models::spatial::forces::math::{
-    Math, Plain, Three, by_component, cross, dot, minus, plus, times,
+    Math, Plain, Three, by_component, cross, dot, eight, minus, plus, times,
 };
 
 /// What is constant of a cell.
@@ -100,31 +100,33 @@ pub(crate) struct Response<N> {
 /// Sums and differences of the corners by mode.
 #[inline(always)]
 pub(crate) fn modes<M: Math>(_: M, of: &Eight<M::N>) -> Eight<M::N> {
-    let mut x = *of;
-    for bit in [1, 2, 4] {
-        for low in 0..8 {
-            if low & bit == 0 {
-                let (a, b) = (x[low], x[low | bit]);
-                x[low] = plus(a, b);
-                x[low | bit] = minus(b, a);
-            }
-        }
+    macro_rules! over {
+        ($bit:literal of $x:expr) => {{
+            let x = $x;
+            eight!(n => if n & $bit == 0 {
+                plus(x[n], x[n | $bit])
+            } else {
+                minus(x[n], x[n & !$bit])
+            })
+        }};
     }
-    x
+    over!(4 of over!(2 of over!(1 of of)))
 }
 
 /// From what acts on modes to what acts on corners.
 #[inline(always)]
-fn to_corners<M: Math>(_: M, f: &mut Eight<M::N>) {
-    for bit in [1, 2, 4] {
-        for low in 0..8 {
-            if low & bit == 0 {
-                let (a, b) = (f[low], f[low | bit]);
-                f[low] = minus(a, b);
-                f[low | bit] = plus(a, b);
-            }
-        }
+fn to_corners<M: Math>(_: M, of: &Eight<M::N>) -> Eight<M::N> {
+    macro_rules! over {
+        ($bit:literal of $x:expr) => {{
+            let x = $x;
+            eight!(n => if n & $bit == 0 {
+                minus(x[n], x[n | $bit])
+            } else {
+                plus(x[n & !$bit], x[n])
+            })
+        }};
     }
+    over!(4 of over!(2 of over!(1 of of)))
 }
 
 /// (p x q + r x s/3)/64.
@@ -278,8 +280,7 @@ pub(crate) fn respond<M: Math>(
 
     // Corners.
     let eta = c.get(m, field::CORNER_VISCOSITY) * length;
-    let mut force = [[zero; 3]; 8];
-    let of_corners: Corners<M::N> = corner::respond(m, c, p, v, (expansion, eta), &mut force);
+    let of_corners: Corners<M::N> = corner::respond(m, c, p, v, (expansion, eta));
     rate = m.most(rate, of_corners.rate);
     loss += of_corners.loss;
     let whole = pressure + artificial + of_corners.back * inverse_now;
@@ -306,27 +307,36 @@ pub(crate) fn respond<M: Math>(
         times([xz, yz, zz], viscosity),
     ];
     let still = c.get(m, field::HOURGLASS) * length * now;
-    let mut on = [[zero; 3]; 8];
-    for mode in [3, 5, 6, 7] {
-        let moved: Three<M::N> = by_component!(i => u[mode][i] - dot(l[i], x[mode]));
-        loss += still * dot(moved, moved);
-        let force = times(moved, still);
-        on[mode] = minus([zero; 3], force);
-        let by = times(force, inverse_now);
-        for i in 0..3 {
-            stress[i] = minus(stress[i], times(x[mode], by[i]));
-        }
+    macro_rules! still {
+        ($mode:literal) => {{
+            let moved: Three<M::N> = by_component!(i => u[$mode][i] - dot(l[i], x[$mode]));
+            loss += still * dot(moved, moved);
+            let force = times(moved, still);
+            let by = times(force, inverse_now);
+            stress = by_component!(i => minus(stress[i], times(x[$mode], by[i])));
+            force
+        }};
     }
-    for mode in 1..7 {
-        for i in 0..3 {
-            let held = dot(stress[i], g[mode]) + dot(elastic[i], at_rest[mode]);
-            on[mode][i] += whole * g[mode][i] - held;
-        }
+    let held = [still!(3), still!(5), still!(6), still!(7)];
+    macro_rules! moved {
+        ($mode:literal) => {
+            by_component!(i => {
+                whole * g[$mode][i] - (dot(stress[i], g[$mode]) + dot(elastic[i], at_rest[$mode]))
+            })
+        };
     }
-    to_corners(m, &mut on);
-    for n in 0..8 {
-        force[n] = plus(force[n], on[n]);
-    }
+    let on = [
+        [zero; 3],
+        moved!(1),
+        moved!(2),
+        minus(moved!(3), held[0]),
+        moved!(4),
+        minus(moved!(5), held[1]),
+        minus(moved!(6), held[2]),
+        minus([zero; 3], held[3]),
+    ];
+    let on = to_corners(m, &on);
+    let force = eight!(n => plus(of_corners.force[n], on[n]));
     Response { force, pressure, volume: true_volume, loss, rate, least_corner: of_corners.least }
 }
 

@@ -11,13 +11,17 @@
 
 use crate::models::axisymmetric::forces::cell::{LOSS_IN_STEP, SQUEEZED};
 use crate::models::spatial::forces::cell::{Constants, Eight, Fields, field};
-use crate::models::spatial::forces::math::{Math, Three, cross, dot, minus, plus, times};
+use crate::models::spatial::forces::math::{
+    Math, Three, by_component, cross, dot, eight, minus, plus, times,
+};
 
 /// How much of its volume each counts.
 pub(crate) const WEIGHT: f64 = 0.75;
 
 /// What the corners of a cell do.
 pub(crate) struct Corners<N> {
+    /// On each corner, N.
+    pub force: Eight<N>,
     /// What their viscosity adds to the pressure of the whole, times its volume.
     pub back: N,
     /// W.
@@ -62,7 +66,7 @@ fn slope_of_its_own<M: Math>(
 }
 
 /// What they do with the corners at `p` and of velocities `v`, in a cell that expands at some rate
-/// and of a viscosity `eta`; their forces are added to `force`.
+/// and of a viscosity `eta`.
 #[inline(always)]
 pub(crate) fn respond<M: Math>(
     m: M,
@@ -70,7 +74,6 @@ pub(crate) fn respond<M: Math>(
     p: &Eight<M::N>,
     v: &Eight<M::N>,
     (expansion, eta): (M::N, M::N),
-    force: &mut Eight<M::N>,
 ) -> Corners<M::N> {
     let (zero, one) = (m.number(0.0), m.number(1.0));
     let sixth = m.number(1.0 / 6.0);
@@ -112,24 +115,19 @@ pub(crate) fn respond<M: Math>(
             let squares = dot(c1, c1) + dot(c2, c2) + dot(c4, c4) + dot(own, own);
             // |dVT/dx|^2 is a 36th of that, and VT0 a sixth of what is known at rest.
             stiffest = m.most(stiffest, slope * squares * inverse_rest);
-            let (f1, f2, f4) = (times(c1, by), times(c2, by), times(c4, by));
-            force[N | 1] = plus(force[N | 1], f1);
-            force[N & !1] = minus(force[N & !1], f1);
-            force[N | 2] = plus(force[N | 2], f2);
-            force[N & !2] = minus(force[N & !2], f2);
-            force[N | 4] = plus(force[N | 4], f4);
-            force[N & !4] = minus(force[N & !4], f4);
+            [times(c1, by), times(c2, by), times(c4, by)]
         }};
     }
-    at!(0);
-    at!(1);
-    at!(2);
-    at!(3);
-    at!(4);
-    at!(5);
-    at!(6);
-    at!(7);
+    let on = [at!(0), at!(1), at!(2), at!(3), at!(4), at!(5), at!(6), at!(7)];
+    // Each edge pushes its ends apart by what the corners at both say.
+    let force = eight!(n => {
+        let along = |bit: usize| n & (1 << bit) > 0;
+        let edges = by_component!(bit => plus(on[n][bit], on[n ^ (1 << bit)][bit]));
+        let first = if along(0) { edges[0] } else { minus([zero; 3], edges[0]) };
+        let second = if along(1) { plus(first, edges[1]) } else { minus(first, edges[1]) };
+        if along(2) { plus(second, edges[2]) } else { minus(second, edges[2]) }
+    });
     let frequency = m.root(c.get(m, field::CORNER_SPEED) * sixth * stiffest);
     let rate = m.most(m.number(0.5) * frequency, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
-    Corners { back, loss, rate, least }
+    Corners { force, back, loss, rate, least }
 }

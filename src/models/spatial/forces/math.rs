@@ -124,6 +124,13 @@ macro_rules! by_component {
 }
 pub(crate) use by_component;
 
+macro_rules! eight {
+    ($i:ident => $of:expr) => {
+        $crate::models::axisymmetric::forces::quads::written_out!($i => $of; 0 1 2 3 4 5 6 7)
+    };
+}
+pub(crate) use eight;
+
 #[inline(always)]
 pub(crate) fn plus<N: Copy + Add<Output = N>>(a: Three<N>, b: Three<N>) -> Three<N> {
     by_component!(i => a[i] + b[i])

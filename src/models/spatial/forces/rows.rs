@@ -11,7 +11,7 @@ use crate::models::axisymmetric::forces::state::{CellSums, Totals};
 use crate::models::paper::forces::aligned::Aligned;
 use crate::models::paper::forces::layout::{LANES, Lane};
 use crate::models::spatial::forces::cell::{self, Constants, Eight, Fields, field};
-use crate::models::spatial::forces::math::{Math, Wide};
+use crate::models::spatial::forces::math::{Math, Wide, by_component, eight};
 use crate::models::spatial::forces::state::{Cells, NodeState};
 use crate::models::spatial::{eye::SpatialEye, eye::point::Nodes, forces::plain};
 use fearless_simd::{Level, Simd, dispatch};
@@ -106,16 +106,10 @@ fn gather(group: &Group, of: &Nodes, to: &mut Gathered) {
 /// What some cells of a group have at their corners.
 #[inline(always)]
 fn read<M: Math>(m: M, group: &Group, lane: usize, of: &Nodes, lists: &Gathered) -> Eight<M::N> {
-    let mut read = [[m.number(0.0); 3]; 8];
-    for corner in 0..8 {
-        for k in 0..3 {
-            read[corner][k] = match group.corners[corner] {
-                CornerNodes::From(first) => m.load(&of[k], first + lane),
-                CornerNodes::List(_) => m.load(&lists.0[corner][k], lane),
-            };
-        }
-    }
-    read
+    eight!(corner => by_component!(k => match group.corners[corner] {
+        CornerNodes::From(first) => m.load(&of[k], first + lane),
+        CornerNodes::List(_) => m.load(&lists.0[corner][k], lane),
+    }))
 }
 
 #[inline(always)]
