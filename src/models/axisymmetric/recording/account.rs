@@ -66,8 +66,9 @@ pub(crate) trait Recorded {
     type Now;
 
     fn account(&mut self) -> &mut Account;
-    /// Takes the extremes of an instant, by number and time; returns the monitored nodes' forces.
-    fn read(&mut self, now: &Self::Now, at: (usize, f64), step: f64) -> [f64; 4];
+    /// Takes the extremes of an instant, by number and time, after a step of so many s and at which
+    /// forces act for so many; returns the monitored nodes' forces.
+    fn read(&mut self, now: &Self::Now, at: (usize, f64), steps: (f64, f64)) -> [f64; 4];
     /// Takes those that are not taken at every step, at the last.
     fn read_last(&mut self, _time: f64) {}
     /// Energies of this instant, at which forces act for `kick` s.

@@ -16,7 +16,12 @@ impl Recorded for Motion<'_> {
         &mut self.account
     }
 
-    fn read(&mut self, now: &Instant, (_, time): (usize, f64), step: f64) -> [f64; 4] {
+    fn read(
+        &mut self,
+        now: &Instant,
+        (_, time): (usize, f64),
+        (step, kick): (f64, f64),
+    ) -> [f64; 4] {
         let share = self.account.read(now.force, &now.sums, (time, step));
         let e = &mut self.account.extremes;
         self.tissues.read(&self.state, share, time, e);
@@ -41,7 +46,7 @@ impl Recorded for Motion<'_> {
         self.shape = self.shape(now.shell.length / self.shell.rest_length - 1.0);
         self.account.read_shape(&self.shape, time);
         if let Some((object, projectile)) = &self.object {
-            let energy = projectile.kinetic(0.0) + projectile.stored();
+            let energy = projectile.energy(kick) + 0.5 * kick * now.loss_in_object;
             let between = now.touch.map_or(0.0, |touch| touch.energy);
             let touched = -self.eye.parameters.radius - object.reach();
             let intrusion = projectile.x[0] - touched;
@@ -80,7 +85,7 @@ impl Recorded for Motion<'_> {
             .sum();
         let mut given = energy.work;
         if let Some((_, projectile)) = &self.object {
-            energy.object = projectile.kinetic(kick) + projectile.stored();
+            energy.object = projectile.energy(kick) + 0.5 * kick * now.loss_in_object;
             given = self.account.given();
         }
         self.account.impart(given, self.flown(kick));

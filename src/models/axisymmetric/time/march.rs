@@ -175,7 +175,7 @@ pub(crate) trait Marching: Recorded + Sized {
             let most = by.share * bounds.all;
             let before = step;
             step = if steps == 0 { most } else { most.min(GROWTH * before) };
-            let forces = self.read(&now, (steps, time), before);
+            let forces = self.read(&now, (steps, time), (before, by.kick(before, step)));
             let settled = looks && {
                 let over = self.over(time);
                 let growth = last_growth(&self.account().extremes);

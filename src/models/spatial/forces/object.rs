@@ -151,6 +151,13 @@ impl MovingObject {
             .sum()
     }
 
+    /// Energy at a full step, J, of whose forces half of a kick of `kick` s went before, with what
+    /// that half loses.
+    pub fn energy(&self, kick: f64) -> f64 {
+        let lost = |i: usize| -0.5 * kick * self.lossy[i].dot(&self.speed[i]);
+        self.kinetic(kick) + self.stored() + lost(0) + lost(1)
+    }
+
     /// How far in front of where it is its surface may yet swing, m.
     pub fn swing(&self) -> f64 {
         self.core.swing((self.speed[1] - self.speed[0]).norm(), self.squeezed())

@@ -20,7 +20,12 @@ impl Recorded for Motion<'_> {
         &mut self.account
     }
 
-    fn read(&mut self, now: &Instant, (steps, time): (usize, f64), step: f64) -> [f64; 4] {
+    fn read(
+        &mut self,
+        now: &Instant,
+        (steps, time): (usize, f64),
+        (step, kick): (f64, f64),
+    ) -> [f64; 4] {
         let share = self.account.read(now.force, &now.sums, (time, step));
         let e = &mut self.account.extremes;
         let mut stress = 0.0_f64;
@@ -43,7 +48,7 @@ impl Recorded for Motion<'_> {
         }
         self.account.stress = stress;
         let moving = &self.flying.moving;
-        let energy = moving.kinetic(0.0) + moving.stored();
+        let energy = moving.energy(kick) + 0.5 * kick * now.touch.loss;
         let between = (now.touch.energy, now.push.map_or(0.0, |push| push.energy));
         let intrusion = self.flying.intrusion(&self.way);
         self.account.read_object(energy, between, intrusion, time);
@@ -97,7 +102,7 @@ impl Recorded for Motion<'_> {
         energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
         energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
         energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
-        energy.object = moving.kinetic(kick) + moving.stored();
+        energy.object = moving.energy(kick) + 0.5 * kick * now.touch.loss;
         let kinetic = |node: usize| -> f64 {
             let of = |k: usize| {
                 let speed = state.speed[k][node];
