@@ -23,6 +23,8 @@ pub struct AppModel {
     pub form: ScenarioForm,
     /// The last good result, if there ever was one.
     pub shown: Option<ShownAnswer>,
+    /// What was on show before a first estimate took its place.
+    pub finished: Option<ShownAnswer>,
     /// What that is the answer to, with the name it had.
     pub answered: Option<Work>,
     /// The answer to the newest edit.
@@ -59,6 +61,8 @@ pub struct AppModel {
 
 /// Said of what is on show until the eye in three dimensions is computed.
 pub const FIRST_ESTIMATE: &str = "first estimate";
+/// The same where there is room.
+pub const AS_IF_STRAIGHT_ON: &str = "first estimate, as if straight on";
 
 impl AppModel {
     /// Whether this scenario may be simulated here, or why not.

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use crate::run::refusal::Refusal;
+use crate::tui::model::{AppModel, FIRST_ESTIMATE};
 use crate::tui::simulation::{Complete, Simulate, first_estimate, is_alike};
-use crate::tui::{ensemble::key, model::AppModel, request::Report, shown::ShownAnswer};
+use crate::tui::{ensemble::key, request::Report, shown::ShownAnswer};
 
 /// The form holds what the answer on show, or the one on its way, is the answer to as well.
 pub(crate) fn follow(model: &mut AppModel) {
@@ -27,11 +28,19 @@ pub(crate) fn cancel(model: &mut AppModel) {
         return;
     };
     if model.run.stop(None, &mut model.out) {
+        show_finished(model);
         let left = std::mem::replace(&mut model.work, answered);
         model.notice = Some(format!("back at {}: u goes on with the other", model.work.name()));
         model.history.record(left, "", model.now);
         model.form.settle(&model.work.scenario);
         follow(model);
+    }
+}
+
+/// What was on show before a first estimate, whose blow is not followed to its end.
+fn show_finished(model: &mut AppModel) {
+    if let Some(finished) = model.finished.take() {
+        model.shown = Some(finished);
     }
 }
 
@@ -46,13 +55,19 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
         match outcome {
             Some(answer) if model.run.job.is_some() => {
                 let first = first_estimate(&asked.0);
-                model.shown = first.map(|first| ShownAnswer::new(first, answer));
+                let before = std::mem::replace(
+                    &mut model.shown,
+                    first.map(|first| ShownAnswer::new(first, answer)),
+                );
+                model.finished = model.finished.take().or(before);
             }
             Some(answer) => {
+                model.finished = None;
                 model.shown = Some(ShownAnswer::new(asked.0.clone(), answer));
                 follow(model);
             }
             None => {
+                show_finished(model);
                 // A run that was cancelled begins by no key, but by the next edit.
                 let complaint = model.run.complaint.as_mut().map(|(_, why)| why);
                 if let Some(why) = complaint.filter(|why| **why == Refusal::Cancelled.to_string()) {
@@ -74,7 +89,7 @@ pub(crate) fn incomplete(model: &AppModel) -> Option<&ShownAnswer> {
         let complaint = model.rest.complaint.as_ref();
         complaint.is_some_and(|(asked, _)| key(&asked.scenario) == key(&shown.scenario))
     };
-    let shown = model.shown.as_ref()?;
+    let shown = model.shown.as_ref().filter(|_| model.stale() != Some(FIRST_ESTIMATE))?;
     (shown.answer.inputs.is_none() && !refused(shown)).then_some(shown)
 }
 

@@ -8,11 +8,12 @@ use crate::report::format::capital;
 use crate::report::risks::{basis, first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::keys::press::{DOWN, UP, c};
+use crate::tui::model::{AS_IF_STRAIGHT_ON, AppModel, FIRST_ESTIMATE};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
 use crate::tui::view::{eye::EyePicture, sheet::Sheet};
-use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, view::below, view::fundus};
+use crate::tui::{keys::TimeKeys, shown::ShownAnswer, view::below, view::fundus};
 
 /// What the screen answers.
 pub(super) const QUESTION: &str = "What is hurt?";
@@ -52,7 +53,7 @@ impl Screen for Injuries {
         }
         let sheet = &mut sheet.at(Rect { width: area.width.min(WIDEST), ..area });
         match &model.shown {
-            Some(shown) if self.fundus => fundus(shown, sheet),
+            Some(shown) if self.fundus => fundus(model, shown, sheet),
             Some(shown) => draw(self.row, model, shown, sheet),
             None => {
                 sheet.put((1, 1), "no result yet", sheet.theme.text());
@@ -74,12 +75,17 @@ fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet
 const ROUND: &str = "Straight on the eye is round here: every hour feels the same. Turn the blow, \
     or set numerics.geometry to Full.";
 
-fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
+/// Said while what comes is simulated.
+const COMING: &str = "Shown so far is the blow as if straight on, by which every hour feels the \
+    same. Your blow is being simulated.";
+
+fn fundus(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     draw_signs(sheet);
     let area = sheet.area;
     let sheet = &mut sheet.at(Rect { height: area.height.saturating_sub(SIGN_ROWS), ..area });
     let Some(sectors) = &shown.answer.run.sectors else {
-        sheet.put_wrapped((1, 1), ROUND, sheet.theme.text());
+        let said = if model.stale() == Some(FIRST_ESTIMATE) { COMING } else { ROUND };
+        sheet.put_wrapped((1, 1), said, sheet.theme.text());
         return;
     };
     fundus::draw(sectors, shown.scenario.eye_side(), sheet);
@@ -141,6 +147,9 @@ fn above(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
     sheet.put_lines((1, 0), &index, style);
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
+        Some(FIRST_ESTIMATE) if end + width(AS_IF_STRAIGHT_ON) + 2 < area.width => {
+            (AS_IF_STRAIGHT_ON, theme.warning())
+        }
         Some(why) => (why, theme.warning()),
         None => (QUESTION, theme.heading()),
     };
