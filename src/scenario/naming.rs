@@ -1,6 +1,6 @@
 //! The numbers that a scenario's name holds, which follow its fields.
 
-use crate::scenario::fields::{Field, Kind};
+use crate::scenario::fields::{Field, Kind, LONGEST_NAME};
 use crate::scenario::{Scenario, problem::plain};
 
 /// The number of a field with its unit, as names have it: `40 m/s`.
@@ -23,6 +23,8 @@ pub(super) fn follow(scenario: &mut Scenario, before: &Scenario, field: &Field) 
     let mut places = name.match_indices(&old).map(|(at, _)| at).filter(whole);
     if let Some(at) = places.next() {
         scenario.name.replace_range(at..at + old.len(), &new);
+        // A number of many digits may leave no room for the end.
+        scenario.name = scenario.name.chars().take(LONGEST_NAME).collect();
     }
 }
 
@@ -41,5 +43,8 @@ mod tests {
         ball.name = "A ball at 155.5 m/s".to_owned();
         set(&mut ball, "impact.speed_m_s", "20").unwrap();
         assert_eq!(ball.name, "A ball at 155.5 m/s");
+        ball.name = format!("A ball at 20 m/s{}", "!".repeat(64));
+        set(&mut ball, "impact.speed_m_s", "20.000000001").unwrap();
+        assert!(ball.name.starts_with("A ball at 20.000000001 m/s!") && ball.check().is_ok());
     }
 }

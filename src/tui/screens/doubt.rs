@@ -15,10 +15,11 @@ use crate::report::{figure::allowing, risks::range};
 use crate::run::quantity::Quantity;
 use crate::tui::ensemble::{FIRST, MANY, RunSamples, is_whole, shown_band, widened};
 use crate::tui::keys::press::{DOWN, UP, c};
+use crate::tui::model::{AppModel, FIRST_ESTIMATE};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, go_on, state_of_work};
 use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences};
 use crate::tui::view::{sheet::Sheet, theme::Theme};
-use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer, task::Job};
+use crate::tui::{keys::TimeKeys, shown::ShownAnswer, task::Job};
 
 /// The place of the result whose band is explained.
 #[derive(Default)]
@@ -131,7 +132,8 @@ const MARGIN: f64 = 0.06;
 fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let what = "The blow is simulated over what is published of the eye's materials and over your own \
                 doubt in the inputs: type 300 +- 20 into a field to add some.";
-    let each = model.shown.as_ref().map_or_else(String::new, |shown| {
+    let shown = model.shown.as_ref().filter(|_| model.stale() != Some(FIRST_ESTIMATE));
+    let each = shown.map_or_else(String::new, |shown| {
         let seconds = digits(shown.answer.solve_time.as_secs_f64(), 1);
         format!(" One sample takes about as long as the blow itself: {seconds} s.")
     });

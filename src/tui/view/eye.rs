@@ -141,7 +141,9 @@ impl<'a> EyePicture<'a> {
     /// What lies at the top of the picture, which is cut along the blow: the side that it comes
     /// from, of an eye in three dimensions whichever of both is higher, or the nose.
     fn up(&self) -> &'static str {
-        let Some(Impact::Projectile(object)) = self.blow.map(|blow| &blow.impact) else {
+        // A first estimate comes straight on, whatever was asked.
+        let Some(Impact::Projectile(object)) = self.blow.map(|_| &self.shown.scenario.impact)
+        else {
             return UP;
         };
         let hour = match object {
