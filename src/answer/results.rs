@@ -69,8 +69,13 @@ impl Results {
     }
 
     /// The largest error among watched `results` that are more than rounding, with its result.
+    /// Where tissues are read no node's force counts: no injury is read from it.
     pub(crate) fn worst_listed(&self, results: &Results) -> Option<(Quantity, f64)> {
-        let counts = |(of, _): &(Quantity, f64)| !results[*of].is_some_and(|v| of.is_rounding(v));
+        let tissues = results[Quantity::EquatorStretch].is_some();
+        let counts = |(of, _): &(Quantity, f64)| {
+            let aside = tissues && of.row().leads == Leads::WithoutProjectile;
+            !aside && !results[*of].is_some_and(|v| of.is_rounding(v))
+        };
         largest(self.watched().filter(counts))
     }
 
