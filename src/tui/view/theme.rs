@@ -113,7 +113,12 @@ impl Theme {
 
     /// Something that is so many times its limit.
     pub fn gauge(self, share: f64) -> Style {
-        self.grave([0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count())
+        self.grave(Self::gauge_step(share))
+    }
+
+    /// The step of that from 0 to 3: where one begins is at its limit times a power of two.
+    pub fn gauge_step(share: f64) -> usize {
+        [0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count()
     }
 
     /// A risk by the upper end of its range, so that no colour is surer; plain where that is none.
