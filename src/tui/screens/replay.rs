@@ -112,6 +112,10 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, shee
         Some(front) => parts(front, model, shown, sheet),
         None => legend(shown.hottest, sheet),
     };
+    let (mut next, hit) = (model.clock, shown.drawing.object.is_some());
+    next.change_detail();
+    let next = format!("e: {}", next.detail(hit).name());
+    sheet.put_right((area.width - 1, 0), next, theme.quiet());
     sheet.put((0, y), "Now", theme.heading());
     let traces = shown.answer.run.traces.as_ref();
     let forces = TRACES.iter().copied();
@@ -151,7 +155,6 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, shee
 fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
     let (area, theme) = (sheet.area, sheet.theme);
     sheet.put((0, 0), "What you see", theme.heading());
-    sheet.put_right((area.width - 1, 0), "e: mesh", theme.quiet());
     let hit = shown.drawing.object.is_some();
     let of_blow = [(Part::Object, "object"), (Part::Pressed, "pressed")];
     let more = of_blow.into_iter().filter(|_| hit).chain([(Part::Fat, "fat")]);
@@ -185,7 +188,6 @@ fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) 
 fn legend(largest: f64, sheet: &mut Sheet) -> u16 {
     let (area, theme) = (sheet.area, sheet.theme);
     sheet.put((0, 0), "Node force", theme.heading());
-    sheet.put_right((area.width - 1, 0), "e: anatomy", theme.quiet());
     let ascii = theme.look.symbols == Symbols::Ascii;
     let steps = thresholds(largest, theme.heat_steps());
     let (mut x, mut y) = (0, 1);
