@@ -12,7 +12,7 @@ use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::screens::screen::{Act, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::chart::{TimeCurve, fill, value_at};
 use crate::tui::view::heat::{heat_glyph, thresholds};
-use crate::tui::view::picture::{NAMED, swatch};
+use crate::tui::view::picture::{NAMED, blank_cornea, swatch};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{width, wrapped};
@@ -160,6 +160,8 @@ fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) 
     let more = of_blow.into_iter().filter(|_| hit).chain([(Part::Fat, "fat")]);
     let seen = NAMED.into_iter().chain(more).filter(|(part, _)| !front || part.is_outside());
     // Without colours several parts have one sign.
+    let blank = blank_cornea(front, model.look);
+    let seen = seen.filter(|(part, _)| !blank || *part != Part::Cornea);
     let signs = seen.map(|(part, name)| (swatch(part, model.look), name));
     let signs = signs.filter(|((sign, style), _)| sign != " " || *style != Style::new());
     let (mut x, mut y) = (0, 1);

@@ -157,6 +157,8 @@ impl Theme {
         let of = self.colours;
         let role = match part {
             Part::Sky => return Color::Reset,
+            // Black on light grounds too.
+            Part::Pupil => return ink(if self.look.depth == Depth::TwoFiveSix { 16 } else { 0 }),
             Part::Globe if self.is_mono() => return Color::Reset,
             Part::Globe if self.look.depth == Depth::TwoFiveSix => return ink(FIELD[step]),
             Part::Globe => return ink(FIELD_16[step * FIELD_16.len() / FIELD.len()]),
