@@ -21,6 +21,8 @@ const BONE_M: f64 = 3.5e-3;
 const IRIS: f64 = 0.88;
 const PUPIL: f64 = 0.32;
 const CORNERS: usize = 72;
+/// Radius of an object below which its outline would be lost in the pupil: it is filled, in m.
+const SMALL_M: f64 = 3.5e-3;
 /// A blow straight on has no larger part to a side than this share.
 const STRAIGHT: f64 = 1e-9;
 
@@ -85,11 +87,15 @@ pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Optio
         (Part::Sclera, faced(front.equator)),
         (Part::Cornea, limbus.clone()),
         (Part::Iris, scaled(&limbus, IRIS)),
-        (Part::Sky, scaled(&limbus, PUPIL)),
+        (Part::Pupil, scaled(&limbus, PUPIL)),
     ];
     layers.extend(tissues.map(|(part, ring)| Shape::new(part, ring)));
     if let Some(object) = drawing.object {
         let mut ring = faced(circle(front.object, object.radius));
+        if object.radius < SMALL_M {
+            layers.push(Shape::new(Part::Object, ring));
+            return Some(layers);
+        }
         ring.extend(ring.first().copied());
         layers.push(stroke(Part::Object, &ring, grain.max(0.6e-3)));
         let middle = center(&ring[0], &ring[CORNERS / 2]);

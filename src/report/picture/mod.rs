@@ -39,6 +39,8 @@ pub enum Part {
     Globe,
     Ciliary,
     Lens,
+    /// The hole in the iris, from the front.
+    Pupil,
     Iris,
     Retina,
     Sclera,
@@ -63,9 +65,9 @@ impl Part {
 
     /// Whether it lies inside the globe; of its shell nobody asks.
     pub fn is_inside(self) -> Option<bool> {
-        use Part::{Bone, Ciliary, Fat, Globe, Iris, Lens, Nerve, Object, Skin, Sky};
+        use Part::{Bone, Ciliary, Fat, Globe, Iris, Lens, Nerve, Object, Pupil, Skin, Sky};
         match self {
-            Globe | Ciliary | Lens | Iris => Some(true),
+            Globe | Ciliary | Lens | Iris | Pupil => Some(true),
             Sky | Object | Skin | Fat | Bone | Nerve => Some(false),
             _ => None,
         }

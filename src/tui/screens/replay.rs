@@ -13,7 +13,7 @@ use crate::tui::model::{AS_IF_STRAIGHT_ON, AppModel, FIRST_ESTIMATE};
 use crate::tui::screens::screen::{Act, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::chart::{TimeCurve, fill, value_at};
 use crate::tui::view::heat::{heat_glyph, thresholds};
-use crate::tui::view::picture::{NAMED, swatch};
+use crate::tui::view::picture::{NAMED, blank_cornea, swatch};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{width, wrapped};
@@ -114,6 +114,10 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, shee
         Some(front) => parts(front, model, shown, sheet),
         None => legend(shown.hottest, sheet),
     };
+    let (mut next, hit) = (model.clock, shown.drawing.object.is_some());
+    next.change_detail();
+    let next = format!("e: {}", next.detail(hit).name());
+    sheet.put_right((area.width - 1, 0), next, theme.quiet());
     sheet.put((0, y), "Now", theme.heading());
     let traces = shown.answer.run.traces.as_ref();
     let forces = TRACES.iter().copied();
@@ -153,12 +157,13 @@ fn side_panel(model: &AppModel, shown: &ShownAnswer, anatomy: Option<bool>, shee
 fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
     let (area, theme) = (sheet.area, sheet.theme);
     sheet.put((0, 0), "What you see", theme.heading());
-    sheet.put_right((area.width - 1, 0), "e: mesh", theme.quiet());
     let hit = shown.drawing.object.is_some();
     let of_blow = [(Part::Object, "object"), (Part::Pressed, "pressed")];
     let more = of_blow.into_iter().filter(|_| hit).chain([(Part::Fat, "fat")]);
     let seen = NAMED.into_iter().chain(more).filter(|(part, _)| !front || part.is_outside());
     // Without colours several parts have one sign.
+    let blank = blank_cornea(front, model.look);
+    let seen = seen.filter(|(part, _)| !blank || *part != Part::Cornea);
     let signs = seen.map(|(part, name)| (swatch(part, model.look), name));
     let signs = signs.filter(|((sign, style), _)| sign != " " || *style != Style::new());
     let (mut x, mut y) = (0, 1);
@@ -187,7 +192,6 @@ fn parts(front: bool, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) 
 fn legend(largest: f64, sheet: &mut Sheet) -> u16 {
     let (area, theme) = (sheet.area, sheet.theme);
     sheet.put((0, 0), "Node force", theme.heading());
-    sheet.put_right((area.width - 1, 0), "e: anatomy", theme.quiet());
     let ascii = theme.look.symbols == Symbols::Ascii;
     let steps = thresholds(largest, theme.heat_steps());
     let (mut x, mut y) = (0, 1);

@@ -1,10 +1,11 @@
 //! The retina as a clock face, as an examiner sees it: outside its front edge by the hour, inside
 //! the back by quadrants, each with its strain in percent.
 
+use crate::injury::Injury;
 use crate::run::sectors::{HOURS, Sectors};
 use crate::scenario::Side;
 use crate::tui::view::{sheet::Sheet, text::width, theme::Theme};
-use ratatui::style::{Color, Style};
+use ratatui::style::Style;
 use std::f64::consts::TAU;
 
 /// Columns and rows that it needs at least.
@@ -21,9 +22,14 @@ const FOOT: u16 = 1;
 /// What each mark of shade says without colours, from least to most.
 const SHADES: [&str; 4] = ["·", "░", "▒", "▓"];
 
-/// Where a ring begins and ends, its strains, and by how many sectors they are turned.
+/// Columns from which on there is room for what the colours say.
+const KEYED: u16 = 60;
+
+/// Where a ring begins and ends, the strain that hurts half of eyes there, its strains, and by how
+/// many sectors they are turned.
 struct Ring<'a> {
     ends: (f64, f64),
+    half: f64,
     strains: &'a [f64],
     shift: f64,
 }
@@ -36,17 +42,19 @@ impl Ring<'_> {
         let sector = at.round().rem_euclid(count) as usize % self.strains.len();
         (self.strains[sector], at - at.round())
     }
+
+    /// How a strain looks; what is printed alike looks alike.
+    fn style(&self, theme: Theme, strain: f64) -> (Style, &'static str) {
+        style_of(theme, (100.0 * strain).round() / (100.0 * self.half))
+    }
 }
 
+/// How so many times what hurts half of eyes looks.
 fn style_of(theme: Theme, share: f64) -> (Style, &'static str) {
-    let steps = theme.heat_steps();
     if theme.is_mono() {
-        let shade = ((share * SHADES.len() as f64) as usize).min(SHADES.len() - 1);
-        return (Style::new(), SHADES[shade]);
+        return (Style::new(), SHADES[Theme::gauge_step(share)]);
     }
-    let step = 1 + ((share * steps as f64) as usize).min(steps - 1);
-    let colour = theme.heat(step).fg.unwrap_or(Color::Reset);
-    (Style::new().bg(colour).fg(Color::Black), " ")
+    (theme.gauge(share).reversed(), " ")
 }
 
 /// Draws the strains of an eye, if there is room.
@@ -62,10 +70,11 @@ pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
     let radius = (f64::from(rows - 2) / 2.0).min(f64::from(area.width - 8) / 2.0 / ASPECT);
     let centre = (f64::from(area.width) / 2.0, f64::from(HEAD) + f64::from(rows) / 2.0);
     let Sectors { edge, back, .. } = sectors;
-    let outer = Ring { ends: OUTER, strains: edge, shift: 0.0 };
-    let rings = [outer, Ring { ends: INNER, strains: back, shift: 0.5 }];
-    let all = rings.iter().flat_map(|ring| ring.strains.iter().copied());
-    let most = all.fold(f64::MIN_POSITIVE, f64::max);
+    let halves = [Injury::RetinaFront, Injury::RetinaBack].map(|injury| injury.curve().half);
+    let rings = [
+        Ring { ends: OUTER, half: halves[0], strains: edge, shift: 0.0 },
+        Ring { ends: INNER, half: halves[1], strains: back, shift: 0.5 },
+    ];
     for y in 0..rows {
         for x in 0..area.width {
             let across = (f64::from(x) + 0.5 - centre.0) / ASPECT;
@@ -77,7 +86,7 @@ pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
             // A dark gap between two sectors, about half a row wide.
             let gap = (0.5 - off.abs()) * TAU / ring.strains.len() as f64 * from * radius;
             if gap > 0.3 {
-                let (style, shade) = style_of(theme, value / most);
+                let (style, shade) = ring.style(theme, value);
                 sheet.put((x, y + HEAD), shade, style);
             }
         }
@@ -95,7 +104,7 @@ pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
         let count = ring.strains.len();
         for turn in (0..count).map(|i| TAU * (i as f64 + ring.shift) / count as f64) {
             let (value, _) = ring.strain(side.turn(turn));
-            let (style, _) = style_of(theme, value / most);
+            let (style, _) = ring.style(theme, value);
             let middle = 0.5 * (ring.ends.0 + ring.ends.1);
             write(place(middle, turn), &format!("{:.0}", 100.0 * value), style);
         }
@@ -116,6 +125,17 @@ pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
     let most = format!("most at {hour} o'clock");
     if width(&title) + width(&most) + 3 < area.width {
         sheet.put_right((area.width - 1, 0), &most, theme.strong());
+    }
+    if area.width >= KEYED {
+        let [edge, back] = halves.map(|half| 100.0 * half);
+        let lines = ["half are hurt".to_owned(), format!("at {edge:.1} / {back:.1}")];
+        sheet.put_lines((1, 1), lines, theme.quiet());
+        let mut x = 1;
+        for (share, text) in [(0.0, "<.5"), (0.5, ".5-1"), (1.0, "1-2"), (2.0, ">2")] {
+            let (style, shade) = style_of(theme, share);
+            x = sheet.put((x, 3), format!("{shade}{text}"), style);
+        }
+        sheet.put((1, 4), "times that", theme.quiet());
     }
     let bottom = area.height - 1;
     sheet.put((1, bottom), left, theme.quiet());

@@ -169,7 +169,10 @@ fn pick(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
     sheet.put((0, 1), "preset", theme.quiet());
     for (y, (i, at)) in (ABOVE..).zip(picker.shown.iter().enumerate().skip(first).take(room)) {
         let (line, choice) = (&mut sheet.row(y), &model.choices[*at]);
-        choice_row(choice, i == picker.row, line);
+        choice_row(choice, line);
+        if i == picker.row {
+            line.buffer.set_style(line.area, theme.focus());
+        }
         if let Some(place) = picker.marked.iter().flatten().position(|name| *name == choice.name) {
             line.put((MARK, 0), format!("[{}]", mark(place)), theme.curve(place));
         }
@@ -184,10 +187,9 @@ fn pick(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
     }
 }
 
-fn choice_row(choice: &Choice, chosen: bool, sheet: &mut Sheet) {
+fn choice_row(choice: &Choice, sheet: &mut Sheet) {
     let theme = sheet.theme;
-    let style = if chosen { theme.focus() } else { theme.strong() };
-    sheet.put((0, 0), fitted(&choice.name, usize::from(NAME)), style);
+    sheet.put((0, 0), fitted(&choice.name, usize::from(NAME)), theme.strong());
     if let Err(why) = &choice.scenario {
         let room = usize::from(sheet.area.width - NAME - 1);
         sheet.put((NAME + 1, 0), fitted(why, room), theme.error());
@@ -218,7 +220,7 @@ pub fn frame<'a>(title: &str, (wide, high): (u16, u16), sheet: &'a mut Sheet) ->
     let title = Span::styled(format!(" {} ", printable(title)), theme.heading());
     let title = Line::from(vec![Span::styled("─", theme.quiet()), title]);
     Clear.render(place, sheet.buffer);
-    Block::bordered().style(theme.quiet()).title(title).render(place, sheet.buffer);
+    Block::bordered().border_style(theme.quiet()).title(title).render(place, sheet.buffer);
     sheet.part((x + 2, y + 1), (wide - MARGIN, high - 2))
 }
 

@@ -146,13 +146,13 @@ roles! {
     fat: 101, 95, None, "the fat behind the eye";
     orbit: 137, 94, Some(3), "the bone as a line";
     cornea: 123, 44, Some(14), "the cornea";
-    sclera: 255, 245, Some(15), "the sclera";
+    sclera: 255, 254, Some(15), "the sclera";
     pressed: 226, 220, Some(11), "where the object presses";
     iris: 75, 26, Some(12), "the iris";
     ciliary: 95, 95, Some(5), "the ciliary body";
     nerve: 186, 143, Some(7), "the optic nerve";
     bone: 94, 137, Some(3), "the bone";
-    fat_ground: 235, 254, None, "what is behind the fat";
+    fat_ground: 235, 180, None, "what is behind the fat";
     object: 209, 216, Some(13), "what hits the eye";
     skin: 167, 167, Some(5), "its outline";
 }

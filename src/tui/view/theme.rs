@@ -113,7 +113,12 @@ impl Theme {
 
     /// Something that is so many times its limit.
     pub fn gauge(self, share: f64) -> Style {
-        self.grave([0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count())
+        self.grave(Self::gauge_step(share))
+    }
+
+    /// The step of that from 0 to 3: where one begins is at its limit times a power of two.
+    pub fn gauge_step(share: f64) -> usize {
+        [0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count()
     }
 
     /// A risk by the upper end of its range, so that no colour is surer; plain where that is none.
@@ -152,6 +157,8 @@ impl Theme {
         let of = self.colours;
         let role = match part {
             Part::Sky => return Color::Reset,
+            // Black on light grounds too.
+            Part::Pupil => return ink(if self.look.depth == Depth::TwoFiveSix { 16 } else { 0 }),
             Part::Globe if self.is_mono() => return Color::Reset,
             Part::Globe if self.look.depth == Depth::TwoFiveSix => return ink(FIELD[step]),
             Part::Globe => return ink(FIELD_16[step * FIELD_16.len() / FIELD.len()]),

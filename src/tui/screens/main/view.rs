@@ -26,8 +26,8 @@ pub struct Layout {
     signs: Rect,
 }
 
-/// From so many columns on the answers stand at the right.
-const WIDE: u16 = 140;
+/// From so many columns on the answers stand at the right, and the eye fits whole beside them.
+const WIDE: u16 = 160;
 /// And so many rows.
 const HIGH: u16 = 28;
 /// Their columns.

@@ -92,9 +92,13 @@ impl Anatomical<'_> {
         let parts = if coarse { 1 } else { 2 };
         // From the front nothing shows the inside.
         let steps = (!self.scene.front).then(|| self.steps(area, window, parts));
+        let blank = blank_cornea(self.scene.front, self.scene.look);
         let tint = |i: usize| {
             let (x, y) = (i % wide, i / wide);
-            let part = samples.point(x, y);
+            let part = match samples.point(x, y) {
+                Part::Cornea if blank => Part::Pupil,
+                part => part,
+            };
             let steps = steps.as_ref().filter(|_| part == Part::Globe);
             let step = steps.map_or(0, |steps| steps[y * parts / down * columns + x / across]);
             Tint { part, step }
@@ -320,6 +324,12 @@ fn mono(look: Look, own: &[Tint], edge: impl Fn(usize) -> bool, ghost: u8, latti
     (dotted(bits, look), Style::new())
 }
 
+/// Whether the cornea is left blank: from the front, without colours, iris and sclera are told
+/// apart by that gap alone.
+pub fn blank_cornea(front: bool, look: Look) -> bool {
+    front && look.depth == Depth::Mono && look.symbols != Symbols::Ascii
+}
+
 /// A part as a key to the picture has it.
 pub fn swatch(part: Part, look: Look) -> (String, Style) {
     let theme = Theme::of(look);
@@ -353,7 +363,7 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let Tint { part, step } = tint;
     let sign = match part {
         _ if ghost != 0 && !part.is_line() => ':',
-        Part::Sky => ' ',
+        Part::Sky | Part::Pupil => ' ',
         Part::Object | Part::Skin => 'o',
         Part::Fat => [' ', '.'][usize::from(lattice)],
         Part::Bone => 'H',
