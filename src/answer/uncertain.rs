@@ -16,7 +16,7 @@ use crate::injury::PerInjury;
 use crate::normal;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
 use crate::scenario::{Geometry, Model, Physiological, Rim, Scenario, Support, fields, set};
-use crate::scenario::{direction::HOURS, doubt::number};
+use crate::scenario::{direction::HOURS, direction::Side, doubt::number};
 use std::f64::consts::PI;
 
 /// A distribution.
@@ -146,6 +146,8 @@ pub struct UncertainInput {
     pub shape: Shape,
     /// What it is drawn within.
     bounds: (f64, f64),
+    /// Whether it is the mirror image of what a right eye draws: an hour of a left one.
+    mirrored: bool,
     /// The published source; none where the person doubts the value.
     pub source: Option<&'static str>,
 }
@@ -162,7 +164,8 @@ impl UncertainInput {
         // An hour goes once round.
         let round = (nominal - 0.5 * HOURS, nominal + 0.5 * HOURS);
         let bounds = if is_clock(field) { round } else { (min, max) };
-        Some(Self { field, nominal, shape, bounds, source })
+        let mirrored = is_clock(field) && scenario.eye_side() == Side::Left;
+        Some(Self { field, nominal, shape, bounds, mirrored, source })
     }
 
     /// What a source says of a field; none where the person doubts it themselves.
@@ -176,9 +179,10 @@ impl UncertainInput {
         Self::new(field, scenario, shape, Some(source)).filter(|_| !own)
     }
 
-    /// The value below which the share `u` of the draws lies.
+    /// The value below which the share `u` of the draws lies; above which, where it is mirrored.
     pub fn value(&self, u: f64) -> f64 {
         let (min, max) = self.bounds;
+        let u = if self.mirrored { 1.0 - u } else { u };
         let value = match self.shape {
             Shape::LogUniform(low, high) => low * libm::pow(high / low, u),
             Shape::Uniform(low, high) => low + u * (high - low),
@@ -192,6 +196,7 @@ impl UncertainInput {
         let sign = if LESS_IS_WORSE.contains(&self.field.path) { -1.0 } else { 1.0 };
         let (min, max) = self.bounds;
         let off = match self.shape {
+            Shape::Normal(_, sd) if self.mirrored => self.nominal - sd,
             Shape::Normal(_, sd) => self.nominal + sign * sd,
             Shape::LogUniform(..) | Shape::Uniform(..) => self.value(normal::below(sign)),
         };
@@ -222,7 +227,9 @@ impl UncertainInput {
 
     /// Whether the scenario's value lies among the outermost twentieth of the draws to either side.
     pub fn stands_at_an_end(&self) -> bool {
-        self.nominal < self.value(0.05) || self.nominal > self.value(0.95)
+        // A nominal hour is the middle of its draws.
+        !is_clock(self.field)
+            && (self.nominal < self.value(0.05) || self.nominal > self.value(0.95))
     }
 
     /// Puts a value into a scenario.
@@ -304,6 +311,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
         nominal: 0.0,
         shape: Shape::Normal(0.0, 1.0),
         bounds: (-4.0, 4.0),
+        mirrored: false,
         source: Some("how far kinds of object and published figures disagree"),
     });
     doubted.chain(published).chain(aimed).chain(curves).collect()

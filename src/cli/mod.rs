@@ -29,7 +29,7 @@ use serde::Serialize;
 
 use crate::cli::arguments::{ScenarioArgs, ScenariosArgs};
 use crate::cli::{error::CliError, sweep::Shard};
-use crate::many::{ensemble::FEWEST_SAMPLES, ensemble::MAX_SAMPLES, sweep::SweepAxis};
+use crate::many::sweep::SweepAxis;
 use crate::models::kernel_name;
 use crate::plain_text::{printable_path, write_json};
 use crate::tui::{self, config, config::Config};
@@ -162,7 +162,8 @@ struct AccuracyArgs {
 struct ExportArgs {
     #[command(flatten)]
     scenario: ScenarioArgs,
-    /// Write position and force of every node in every frame to this CSV file, replacing it
+    /// Write position and force of every node in every frame to this CSV file, replacing it; of an
+    /// eye in three dimensions those of its section along the blow
     #[arg(long, value_name = "FILE", group = "files")]
     frames: Option<PathBuf>,
     /// Write node forces, displacement, growth and energies at every step to this CSV file,
@@ -180,8 +181,7 @@ struct EnsembleArgs {
     #[command(flatten)]
     scenario: ScenarioArgs,
     /// How many samples: more of them make steadier bands
-    #[arg(long, value_name = "N", default_value_t = 64,
-          value_parser = clap::value_parser!(u32).range(i64::from(FEWEST_SAMPLES)..=i64::from(MAX_SAMPLES)))]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = arguments::samples)]
     samples: u32,
     /// Which samples: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]

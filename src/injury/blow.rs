@@ -29,6 +29,8 @@ pub struct Blow {
     pub energy: Option<f64>,
     /// How much it is like the blows that were tested, 0 to 1.
     pub tested: f64,
+    /// Why it is none of them, where it is not like them at all.
+    pub untested: &'static str,
     /// How much wider the object is than any that was tested, 0 to 1.
     pub wider: f64,
     /// How far from straight on, 0 (to 10 degrees) to 1 (from 20), where places turn with the blow.
@@ -71,10 +73,16 @@ impl Blow {
         let round = scenario.geometry() == Some(Geometry::Axisymmetric)
             && scenario.physiological().is_some_and(|model| model.support == Support::Orbit);
         let human = scenario.model.species() == Species::Human;
+        let untested = match (human, off_axis < 1.0) {
+            (false, _) => "those count for human eyes alone",
+            (true, false) => "no such direction was tested",
+            (true, true) => "no such object was tested",
+        };
         let inflated = matches!(object.surface, Surface::Inflated { .. });
         Self {
             energy: Some(energy),
             tested: if human { (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness) } else { 0.0 },
+            untested,
             wider,
             aslant,
             round_rim: if round { ramp(object.diameter_mm, MEETS_BONE_MM) } else { 0.0 },

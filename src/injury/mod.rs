@@ -19,4 +19,4 @@ pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::kind::{Injury, PerInjury};
 pub use crate::injury::risk::{Known, Risk, in_short};
 pub use crate::injury::tissue::TissueCurve;
-pub use crate::injury::words::{AT_LEAST, BURST, SIGNS, gravity, span, whole};
+pub use crate::injury::words::{AT_LEAST, BURST, SIGNS, UNSAID, gravity, span, whole};

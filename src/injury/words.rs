@@ -4,6 +4,8 @@ use crate::injury::{kind::Injury, risk::Risk};
 
 /// Said of what may be more.
 pub const AT_LEAST: &str = "at least";
+/// Stands where a figure is not known or not worth saying: not a dash, which reads as none.
+pub const UNSAID: &str = "?";
 /// Said where rupture is as likely as not.
 pub const BURST: &str = "a burst globe has the others too";
 /// Stands under every answer, whatever it says.
@@ -71,7 +73,7 @@ impl Risk {
         if !self.usable {
             return vec![short.clone(), short.clone(), short, self.percent()];
         }
-        let risk = whole(self.risk);
+        let risk = self.middle();
         let about = if is_inner(&risk) { "about " } else { "" };
         let middle = format!("{} ({about}{risk}, {})", self.word(), self.percent());
         let sure = risk == self.percent() || !self.has_middle();
@@ -83,6 +85,11 @@ impl Risk {
     /// Whether its middle is worth saying: one that is sure reads oddly beside a range that is not.
     pub fn has_middle(&self) -> bool {
         self.usable && (!self.is_unclear() || is_inner(&whole(self.risk)))
+    }
+
+    /// Its middle in whole percent, or a sign that it is not said.
+    pub fn middle(&self) -> String {
+        if self.has_middle() { whole(self.risk) } else { UNSAID.to_owned() }
     }
 
     /// All that is said after the injury's name.

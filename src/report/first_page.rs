@@ -3,7 +3,7 @@
 //! paste into a mail or a chart: what to believe, figures with their errors, flags.
 
 use crate::answer::solve::Answer;
-use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, whole};
+use crate::injury::{A_BB, BURST, Equivalent, Risk, SIGNS, UNSAID};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, grouped, wrapped};
@@ -79,9 +79,8 @@ fn injuries(answer: &Answer) -> (Vec<String>, Vec<String>) {
             Equivalent::Over(_) => format!("> {speed:.0} m/s"),
         };
         let (word, range) = (risk.word(), risk.percent());
-        let middle = if risk.has_middle() { whole(risk.risk) } else { "-".to_owned() };
-        let bb = if risk.usable { &bb } else { "-" };
-        lines.push(line(risk.injury.name(), [&word, &middle, &range, bb]));
+        let bb = if risk.usable { &bb } else { UNSAID };
+        lines.push(line(risk.injury.name(), [&word, &risk.middle(), &range, bb]));
     }
     (lines, notes(answer, &risks))
 }

@@ -8,7 +8,7 @@ use crate::answer::results::{Limit, Limits, Results};
 use crate::answer::solve::{Answer, Cut, Errors};
 use crate::injury::SIGNS;
 use crate::models::kernel_name;
-use crate::run::{flags::Flag, fold::Fold, quantity::Quantity, rules::Element};
+use crate::run::{flags::Flag, fold::Fold, quantity::Quantity, rules::Element, sectors::Sectors};
 use crate::scenario::Scenario;
 use serde_json::{Value, json};
 
@@ -76,6 +76,18 @@ pub(super) fn cut(answer: &Answer, how: Cut) -> Vec<&'static str> {
     answer.results().present().filter(is_cut).map(|(of, _)| of.key()).collect()
 }
 
+/// What tissues felt by clock hour and by quadrant, from 12 o'clock towards the nose.
+fn sectors(of: &Sectors) -> Value {
+    let scaled = |all: &[f64], by: f64| all.iter().map(|value| value * by).collect::<Value>();
+    json!({
+        "equator_percent": scaled(&of.equator, 1e2),
+        "edge_percent": scaled(&of.edge, 1e2),
+        "back_percent": scaled(&of.back, 1e2),
+        "lens_mm": scaled(&of.lens, 1e3),
+        "iris_mm": scaled(&of.iris, 1e3),
+    })
+}
+
 /// An answer as one object; `reasons` say how its numerics were chosen.
 pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
     let element = answer.case.rules().element;
@@ -101,6 +113,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             "choice": reasons,
         },
         "flags": flags(&answer.flags),
+        "sectors": answer.run.sectors.as_ref().map(sectors),
         "mesh_fold": answer.run.fold.map(|fold| folded(&fold)),
         "risks": crate::report::risks::json(answer),
         "risks_without": answer.uncounted(),

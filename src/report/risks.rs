@@ -84,7 +84,8 @@ pub fn basis(answer: &Answer, risk: &Risk) -> Vec<String> {
     let (name, half) = (injury.name(), significant(curve.half * row.factor));
     let (label, unit, matched) = (row.label, row.unit, curve.matched);
     let felt = format!("{name}: {label} {felt}, 50 % at {half} {unit}, matched to {matched}");
-    let published = answer.case.blow.energy.into_iter().flat_map(|energy| {
+    let blow = &answer.case.blow;
+    let published = blow.energy.into_iter().flat_map(|energy| {
         EnergyCurve::of(injury).map(move |curve| {
             let slope = if curve.slope_known { "" } else { "; slope assumed" };
             let (risk, source) = (whole(curve.risk(energy)), curve.source);
@@ -92,7 +93,12 @@ pub fn basis(answer: &Answer, risk: &Risk) -> Vec<String> {
             format!("by energy alone {risk} ({energy:.1} of {half:.1} kJ/m2): {source}{slope}")
         })
     });
-    std::iter::once(felt).chain(published).collect()
+    let mut said: Vec<String> = std::iter::once(felt).chain(published).collect();
+    if blow.tested == 0.0 && said.len() > 1 {
+        let published = said.split_off(1).join("; ");
+        said.push(format!("not counted, as {}: {published}", blow.untested));
+    }
+    said
 }
 
 /// The risks as one object, a member for each injury.
@@ -109,7 +115,7 @@ pub fn json(answer: &Answer) -> Value {
             })
         };
         let object = json!({
-            "percent": risk.usable.then_some(100.0 * risk.risk),
+            "percent": risk.has_middle().then_some(100.0 * risk.risk),
             "low_percent": 100.0 * risk.range.0,
             "high_percent": 100.0 * risk.range.1,
             "at_least": risk.at_least,

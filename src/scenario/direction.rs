@@ -109,6 +109,18 @@ impl Projectile {
         self.angle_deg == 0.0 && self.offset_mm == 0.0
     }
 
+    /// What lies at the top of a section along its path: the side that it comes from, of a `solid`
+    /// eye in three dimensions whichever of both is higher; none straight on.
+    pub fn top(&self, side: Side, solid: bool) -> Option<&'static str> {
+        let hour = match self {
+            _ if self.angle_deg != 0.0 => self.angle_clock,
+            _ if self.offset_mm != 0.0 => self.offset_clock,
+            _ => return None,
+        };
+        let azimuth = side.azimuth(hour);
+        Some(place(if solid { upper(azimuth) } else { azimuth }))
+    }
+
     /// The front angle at which its path enters the globe, in degrees; none if it goes past.
     pub fn lands_at_deg(&self) -> Option<f64> {
         let inside = GLOBE_MM * GLOBE_MM - self.offset_mm * self.offset_mm;

@@ -270,7 +270,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.diameter_mm", "Diameter", "mm", "Of the object that hits the eye", Number(b(0.1, 500.0, 0.1, 1.0), within!(projectile, projectile_mut, diameter_mm))),
     field("impact.speed_m_s", "Speed", "m/s", "Of the object when it touches the eye", Number(b(1e-2, FASTEST_M_S, 1.0, 10.0), within!(projectile, projectile_mut, speed_m_s))),
     field("impact.from", "Comes from", "", "The side that it comes from; its angle and hour follow", Choice(&Directions)),
-    field(ANGLE_PATH, "Angle", "deg", "0 is straight on; below 0 from the other side", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
+    field(ANGLE_PATH, "Angle", "deg", "0 is straight on, below 0 from the other side; an object within 75", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
     field("impact.angle_clock", "Hour of angle", "h", "12 above, 6 below; 3 the nose of a right eye, 9 of a left", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, angle_clock))),
     field("impact.offset_mm", "Off centre", "mm", "How far beside the middle of the cornea it aims", Number(b(0.0, 10.0, 0.5, 2.0), within!(projectile, projectile_mut, offset_mm))),
     field("impact.offset_clock", "Aims towards", "h", "The hour towards which it aims beside the middle", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, offset_clock))),

@@ -185,21 +185,18 @@ pub fn peaks(answer: &Answer) -> Vec<Visit> {
     peaks
 }
 
-/// The peaks at a time, if there are any, in the longest words that fit.
+/// The peaks at a time, if there are any, in the longest words that fit; no name without its value.
 pub fn peak_said(answer: &Answer, time: f64, fits: impl Fn(&str) -> bool) -> Option<String> {
     let here = peaks(answer).into_iter();
     let here: Vec<Visit> = here.filter(|p| (p.time - time).abs() < 1e-9).collect();
     let whole: Vec<&str> = here.iter().map(|peak| &peak.label[..]).collect();
-    let names: Vec<&str> = here.iter().map(|peak| peak.of.row().short).collect();
     let some = |said: &[&str], count: usize| match said.len() - count {
         0 => format!("peak {}", said.join(", ")),
         more => format!("peak {} and {more} more", said[..count].join(", ")),
     };
-    let counts = || (1..=here.len()).rev();
-    let forms = counts().map(|count| some(&whole, count));
-    let brief = counts().map(|count| some(&names, count));
-    let mut all = forms.chain(brief).chain([format!("{} peaks", here.len())]);
-    all.find(|text| !here.is_empty() && fits(text))
+    let forms = (1..=here.len()).rev().map(|count| some(&whole, count));
+    let many = (here.len() > 1).then(|| format!("{} peaks", here.len()));
+    forms.chain(many).find(|text| fits(text))
 }
 
 #[cfg(test)]

@@ -40,7 +40,8 @@ pub const STYLE: &str = ".eye path{stroke:none}.eye .sky{fill:#fff}\
     .eye .pressed{fill:#ffd700}.eye .limbus{fill:#875f5f}\
     .eye .ghost{fill:none;stroke:#777;stroke-width:3;stroke-dasharray:6 8}\
     .eye .bar{stroke:#333;stroke-width:8}.eye .field path{stroke-width:2}\
-    .eye text{font:30px sans-serif;fill:#555}";
+    .eye text{font:30px sans-serif;fill:#555;\
+    stroke:#fff;stroke-width:8px;paint-order:stroke}";
 
 /// Coordinates in all frames at most: a finer mesh has fewer frames, but not fewer than this.
 const MOST: f64 = 8e4;

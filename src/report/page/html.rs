@@ -14,7 +14,7 @@ use crate::report::page::eye::{Picture, STYLE};
 use crate::report::risks::{first_line, lines, uncounted};
 use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
-use crate::scenario::{Scenario, load::to_ron};
+use crate::scenario::{Geometry, Scenario, load::to_ron};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
@@ -122,7 +122,7 @@ fn blow(entry: &Entry) -> Markup {
                     @let motion = charts::motion(answer);
                     div.columns {
                         div {
-                            (eye(answer))
+                            (eye(scenario, answer))
                             table.inputs { tbody { @for (label, text) in inputs(scenario) {
                                 tr { th { (label) } td { (text) } }
                             } } }
@@ -145,13 +145,18 @@ fn blow(entry: &Entry) -> Markup {
     }
 }
 
-fn eye(answer: &Answer) -> Markup {
+fn eye(scenario: &Scenario, answer: &Answer) -> Markup {
     let Some(picture) = Picture::of(answer) else { return html! {} };
     let time = format!("{:.3} ms", picture.time() * 1e3);
+    let solid = scenario.geometry().is_some_and(Geometry::is_spatial);
+    let top = scenario.projectile().and_then(|object| object.top(scenario.eye_side(), solid));
     let label = format!("The eye at {time}, when its apex is deepest");
     html! {
         figure.replay {
-            figcaption { "The eye at " output { (time) } }
+            figcaption {
+                "The eye at " output { (time) }
+                @if let Some(top) = top { "; at the top: " (top) }
+            }
             svg.eye viewBox=(picture.view_box()) role="img" aria-label=(label) { (picture.content()) }
             div.screen {
                 button type="button" { "Play" }
@@ -171,7 +176,7 @@ fn results(scenario: &Scenario, answer: &Answer) -> Markup {
             } }
             tbody class=[answer.spoiled().map(|_| "raw")] { @for [name, value, unit, at, step, mesh] in rows(scenario, answer) {
                 tr {
-                    th { (name) } td { (value) } td.unit { (unit) } td { (at) }
+                    th { (name) } td { (value) } td.unit { (unit) } td.at { (at) }
                     td { (step) } td { (mesh) }
                 }
             } }

@@ -115,11 +115,6 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         // The rest of it stands in the row.
         sentences[0] = format!("matched to {}", risk.injury.curve().matched);
     }
-    let counts = shown.answer.case.blow.tested > 0.0;
-    if !counts && sentences.len() > 1 {
-        let said = sentences.split_off(1).join("; ");
-        sentences.push(format!("not counted, as such an object was not tested: {said}"));
-    }
     // What is believed comes first.
     sentences.insert(0, format!("{}: {}", risk.injury.name(), risk.words()));
     let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();

@@ -14,7 +14,6 @@ use crate::report::picture::{Part, object_sides};
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::{places::Region, quantity::Quantity};
-use crate::scenario::direction::{place, upper};
 use crate::scenario::{Impact, Scenario};
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
@@ -138,23 +137,16 @@ impl<'a> EyePicture<'a> {
         directions(self.up(), sheet);
     }
 
-    /// What lies at the top of the picture, which is cut along the blow: the side that it comes
-    /// from, of an eye in three dimensions whichever of both is higher, or the nose.
+    /// What lies at the top of the picture, which is cut along the blow.
     fn up(&self) -> &'static str {
         // A first estimate comes straight on, whatever was asked.
         let Some(Impact::Projectile(object)) = self.blow.map(|_| &self.shown.scenario.impact)
         else {
             return UP;
         };
-        let hour = match object {
-            _ if object.angle_deg != 0.0 => object.angle_clock,
-            _ if object.offset_mm != 0.0 => object.offset_clock,
-            _ => return UP,
-        };
-        let azimuth = self.shown.scenario.eye_side().azimuth(hour);
         let frames = &self.shown.answer.run.frames;
         let solid = frames.first().is_some_and(|frame| frame.front.is_some());
-        place(if solid { upper(azimuth) } else { azimuth })
+        object.top(self.shown.scenario.eye_side(), solid).unwrap_or(UP)
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.

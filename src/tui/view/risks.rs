@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, span, whole};
+use crate::injury::{BURST, Equivalent, Injury, Risk, SIGNS, in_short, span};
 use crate::many::bands::Band;
 use crate::report::figure::{Figure, unusable, with_unit};
 use crate::report::{format::digits, risks::uncounted};
@@ -67,8 +67,8 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
 }
 
 /// Columns of what is said of an injury: where its word begins, its middle, range and BB end.
-const NARROW: [u16; 4] = [14, 34, 43, 50];
-const BROAD: [u16; 4] = [20, 51, 60, 70];
+const NARROW: [u16; 4] = [14, 35, 43, 50];
+const BROAD: [u16; 4] = [20, 52, 61, 71];
 
 /// An injury's name of at most 13 letters.
 fn short_name(injury: Injury) -> &'static str {
@@ -87,7 +87,7 @@ fn in_signs(text: &str) -> String {
 }
 
 /// The fewest columns of a bar.
-const SHORTEST: u16 = 12;
+const SHORTEST: u16 = 11;
 
 /// Draws each risk below a heading, in `each` rows: the second says what the tissue felt.
 pub fn rows(
@@ -108,7 +108,8 @@ pub fn rows(
     let bar = Rect { x: area.x + bar, width: area.width.saturating_sub(bar + 1), ..area };
     let with_bar = columns.is_some() && bar.width >= SHORTEST;
     if let Some([_, ends @ ..]) = columns {
-        let heads = ["about", "range", if tight { "BB m/s" } else { "like a BB" }];
+        let broad = ["about", "range", "like a BB"];
+        let heads = if tight { ["about %", "range %", "BB m/s"] } else { broad };
         for (right, head) in ends.into_iter().zip(heads) {
             sheet.put_right((right, 0), head, theme.quiet());
         }
@@ -139,9 +140,11 @@ pub fn rows(
         };
         sheet.put((0, y), own, name);
         sheet.put((word, y), &said, style);
-        sheet.put_right((range, y), in_signs(&risk.percent()), style);
+        // In tight columns the unit stands above them.
+        let share = |said: &str| in_signs(if tight { said.trim_end_matches(" %") } else { said });
+        sheet.put_right((range, y), share(&risk.percent()), style);
+        sheet.put_right((about, y), share(&risk.middle()), theme.text());
         if risk.usable {
-            sheet.put_right((about, y), in_signs(&whole(risk.risk)), theme.text());
             let (sign, speed) = match risk.equivalent {
                 Equivalent::Under(speed) => ("<", speed),
                 Equivalent::At(speed) => ("", speed),
@@ -217,7 +220,7 @@ fn draw_bar(risk: &Risk, sheet: &mut Sheet) {
     let (low, high) = (column(risk.range.0), column(risk.range.1));
     for x in 0..area.width {
         let (mark, style) = match x {
-            x if risk.usable && x == column(risk.risk) => ("◆", theme.risk(risk)),
+            x if risk.has_middle() && x == column(risk.risk) => ("◆", theme.risk(risk)),
             x if (low..=high).contains(&x) => ("═", theme.risk(risk)),
             _ => ("·", theme.quiet()),
         };

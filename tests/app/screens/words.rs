@@ -384,9 +384,11 @@ fn the_words_and_the_range_of_a_risk_are_the_same_on_every_screen() {
                 let names = [LONG[place], SHORT[place]];
                 let percent = risk.percent().replace("at least ", "≥");
                 let percent = percent.replace("under ", "<").replace("over ", ">");
+                // In tight columns the unit stands above them.
+                let percent = percent.trim_end_matches(" %");
                 let mut lines = text.lines();
                 let here = |line: &&str| {
-                    names.iter().any(|name| line.contains(name)) && line.contains(&percent)
+                    names.iter().any(|name| line.contains(name)) && line.contains(percent)
                 };
                 let line = lines.find(here);
                 let line = line.unwrap_or_else(|| panic!("{names:?} {percent}\n{text}"));
@@ -504,7 +506,7 @@ fn main_answers_first_then_says_what_limits_that_and_draws_what_the_eye_feels() 
         for (long, short) in LONG.into_iter().zip(SHORT) {
             let name = if text.contains(long) { long } else { short };
             let line = text.lines().nth(row(name)).unwrap();
-            assert!(line.matches('%').count() >= 2, "{line}");
+            assert!(line.matches('%').count() >= 2 || text.contains("range %"), "{line}");
         }
         let last = if size.0 == 120 { LONG[5] } else { SHORT[5] };
         assert!(row(last) < row("still counting"), "{text}");

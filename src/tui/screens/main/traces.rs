@@ -20,7 +20,7 @@ fn sparks(answer: &Answer, nodes: bool) -> Vec<(Quantity, Peak)> {
 /// From so many columns on there may be room for the time of a peak beside it.
 const TIMED: u16 = 26;
 /// The fewest columns of the curves: a name, a figure and its error.
-pub const NARROWEST: u16 = 18;
+pub const NARROWEST: u16 = 20;
 /// Longer names are cut where room is short.
 const LONGEST: usize = 7;
 
@@ -39,7 +39,7 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
     let tight = format!("{} {}", figure.signed(), figure.off);
     let tight = tight.trim_end().replace(" %", "%");
     let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
-    let closest = close.replace(' ', "");
+    let closest = close.replace(' ', "").replace('±', " ±");
     let texts = [figure.to_string(), tight, close, closest];
     let small = figure.off.percent().is_some_and(|error| error < 1.0);
     let error = figure.off.to_string().replace(' ', "");
@@ -54,7 +54,8 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
     }
     for (count, error) in [(3, &error[..]), (2, &error), (2, least), (2, "")] {
         let number = figure.coarser(count).signed().replace(' ', "");
-        candidates.push((brief.to_owned(), number + error, String::new()));
+        let text = format!("{number} {error}").trim_end().to_owned();
+        candidates.push((brief.to_owned(), text, String::new()));
     }
     let fits = |(name, text, time): &&(String, String, String)| {
         let after = if time.is_empty() { 0 } else { width(time) + 1 };
