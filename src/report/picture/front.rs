@@ -93,8 +93,7 @@ pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Optio
     if let Some(object) = drawing.object {
         let mut ring = faced(circle(front.object, object.radius));
         if object.radius < SMALL_M {
-            layers.push(Shape::new(Part::Object, ring));
-            return Some(layers);
+            layers.push(Shape::new(Part::Object, ring.clone()));
         }
         ring.extend(ring.first().copied());
         layers.push(stroke(Part::Object, &ring, grain.max(0.6e-3)));

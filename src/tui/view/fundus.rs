@@ -22,9 +22,6 @@ const FOOT: u16 = 1;
 /// What each mark of shade says without colours, from least to most.
 const SHADES: [&str; 4] = ["·", "░", "▒", "▓"];
 
-/// Columns from which on there is room for what the colours say.
-const KEYED: u16 = 60;
-
 /// Where a ring begins and ends, the strain that hurts half of eyes there, its strains, and by how
 /// many sectors they are turned.
 struct Ring<'a> {
@@ -126,16 +123,14 @@ pub fn draw(sectors: &Sectors, side: Side, sheet: &mut Sheet) {
     if width(&title) + width(&most) + 3 < area.width {
         sheet.put_right((area.width - 1, 0), &most, theme.strong());
     }
-    if area.width >= KEYED {
-        let [edge, back] = halves.map(|half| 100.0 * half);
-        let lines = ["half are hurt".to_owned(), format!("at {edge:.1} / {back:.1}")];
-        sheet.put_lines((1, 1), lines, theme.quiet());
-        let mut x = 1;
-        for (share, text) in [(0.0, "<.5"), (0.5, ".5-1"), (1.0, "1-2"), (2.0, ">2")] {
-            let (style, shade) = style_of(theme, share);
-            x = sheet.put((x, 3), format!("{shade}{text}"), style);
-        }
-        sheet.put((1, 4), "times that", theme.quiet());
+    // No screen is too narrow for what the colours mean.
+    let [edge, back] = halves.map(|half| 100.0 * half);
+    let at = format!("at {edge:.1} / {back:.1}");
+    sheet.put_lines((1, 1), ["half are hurt", &at, "", "times that"], theme.quiet());
+    let mut x = 1;
+    for (share, text) in [(0.0, "<.5"), (0.5, ".5-1"), (1.0, "1-2"), (2.0, ">2")] {
+        let (style, shade) = style_of(theme, share);
+        x = sheet.put((x, 3), format!("{shade}{text}"), style);
     }
     let bottom = area.height - 1;
     sheet.put((1, bottom), left, theme.quiet());
