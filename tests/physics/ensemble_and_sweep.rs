@@ -364,8 +364,8 @@ fn bad_doubts_and_numbers_of_samples_are_refused_with_2() {
     let file = "(name: \"a\",\n impact: ForcePulse(force_n: 300.0),\n doubt: {\"impact.force_n\": -3.0})\n";
     fs::write(folder.path().join("bad.ron"), file).unwrap();
     for (arguments, word) in [
-        (&["ensemble", "paper-300n", "--samples", "7"][..], "8..=65536"),
-        (&["ensemble", "paper-300n", "--samples", "65537"], "8..=65536"),
+        (&["ensemble", "paper-300n", "--samples", "7"][..], "allowed 8 to 65536"),
+        (&["ensemble", "paper-300n", "--samples", "65537"], "allowed 8 to 65536"),
         (&["ensemble", "paper-300n", "--drives", "damge"], "damage_percent"),
         (
             &["ensemble", "paper-300n", "--set", "impact.force_n=300 +- x"],
