@@ -140,6 +140,7 @@ fn a_step_above_the_limit_is_refused_with_the_limit() {
 
 #[test]
 fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
+    use FlagKind::{BeyondTests, MeshFolded, NotPredictable, Unconverged};
     let mut objects = 0;
     for preset in library::built_in() {
         let scenario = preset.scenario().unwrap();
@@ -155,7 +156,6 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
             continue;
         }
         objects += 1;
-        use FlagKind::{BeyondTests, MeshFolded, NotPredictable, Unconverged};
         let doubtful = [MeshFolded, NotPredictable, Unconverged, BeyondTests];
         let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
         assert!(answer.errors.time_step_percent().unwrap() < 1.5 || flagged, "{name}");
