@@ -54,12 +54,11 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
     if let Some((asked, outcome)) = model.run.take_report(report) {
         match outcome {
             Some(answer) if model.run.job.is_some() => {
-                let first = first_estimate(&asked.0);
-                let before = std::mem::replace(
-                    &mut model.shown,
-                    first.map(|first| ShownAnswer::new(first, answer)),
-                );
+                // Before the first answer there are estimates only.
+                let before = model.shown.take().filter(|_| model.answered.is_some());
                 model.finished = model.finished.take().or(before);
+                let first = first_estimate(&asked.0);
+                model.shown = first.map(|first| ShownAnswer::new(first, answer));
             }
             Some(answer) => {
                 model.finished = None;

@@ -34,6 +34,24 @@ fn a_blow_that_is_cancelled_leaves_what_was_on_show_before_its_first_estimate() 
 }
 
 #[test]
+fn an_estimate_of_another_blow_is_never_what_was_on_show_before() {
+    let mut app = opened();
+    let mut work = app.model.work.clone();
+    let straight = find("bb-62").unwrap().scenario().unwrap();
+    let first = Simulate(straight.clone()).answer(&mut unwatched).unwrap();
+    for angle in ["30", "40"] {
+        work = work.with(straight.clone());
+        set(&mut work.scenario, "impact.angle_deg", angle).unwrap();
+        change(&mut app.model, work.clone(), "");
+        let effects = std::mem::take(&mut app.model.out.effects);
+        let (ticket, _) = asked::<Simulate>(&effects).unwrap();
+        tell::<Simulate>(&mut app, ticket, first.clone(), false);
+        assert_eq!(app.model.stale(), Some("first estimate"));
+        assert!(app.model.finished.is_none());
+    }
+}
+
+#[test]
 fn a_blow_from_the_side_shows_a_first_estimate_that_is_named_until_the_answer_comes() {
     let mut app = opened();
     let mut scenario = find("bb-62").unwrap().scenario().unwrap();
