@@ -156,8 +156,10 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
             continue;
         }
         objects += 1;
-        let doubtful = [MeshFolded, NotPredictable, Unconverged, BeyondTests];
-        let flagged = doubtful.iter().any(|kind| kinds.contains(kind));
+        let doubtful = [MeshFolded, NotPredictable, Unconverged];
+        // Its errors are 8 % where the eye is pressed flatter than in any test.
+        let flat = name == "air-rifle-pellet" && kinds.contains(&BeyondTests);
+        let flagged = flat || doubtful.iter().any(|kind| kinds.contains(kind));
         assert!(answer.errors.time_step_percent().unwrap() < 1.5 || flagged, "{name}");
         assert!(!answer.risks().is_empty(), "{name}");
         let words = preset.text().unwrap();
