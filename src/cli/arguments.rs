@@ -11,7 +11,6 @@ use clap::Args;
 use clap::error::{ContextKind, ContextValue};
 
 use crate::cli::CliError;
-use crate::many::ensemble::{FEWEST_SAMPLES, MAX_SAMPLES};
 use crate::many::threshold::usual;
 use crate::plain_text::{self, printable, quoted};
 use crate::scenario::{CheckedScenario, Impact, Integrator, Scenario, fields::LONGEST_NAME};
@@ -241,10 +240,12 @@ pub(super) fn explain(mut error: clap::Error) -> io::Result<()> {
     io::stderr().write_all(safe.as_bytes())
 }
 
-/// A number of samples.
-pub(super) fn samples(text: &str) -> Result<u32, String> {
-    let count = text.parse().ok().filter(|count| (FEWEST_SAMPLES..=MAX_SAMPLES).contains(count));
-    count.ok_or_else(|| format!("allowed {FEWEST_SAMPLES} to {MAX_SAMPLES}"))
+/// A whole number from `low` to `high`.
+pub(super) fn whole(low: u32, high: u32) -> impl Fn(&str) -> Result<u32, String> + Clone {
+    move |text| {
+        let number = text.parse().ok().filter(|number| (low..=high).contains(number));
+        number.ok_or_else(|| format!("allowed {low} to {high}"))
+    }
 }
 
 pub(super) fn positive(text: &str) -> Result<f64, &'static str> {

@@ -27,9 +27,9 @@ use std::sync::LazyLock;
 use clap::{Args, Parser, Subcommand};
 use serde::Serialize;
 
-use crate::cli::arguments::{ScenarioArgs, ScenariosArgs};
+use crate::cli::arguments::{ScenarioArgs, ScenariosArgs, whole};
 use crate::cli::{error::CliError, sweep::Shard};
-use crate::many::sweep::SweepAxis;
+use crate::many::{ensemble::FEWEST_SAMPLES, ensemble::MAX_SAMPLES, sweep::SweepAxis};
 use crate::models::kernel_name;
 use crate::plain_text::{printable_path, write_json};
 use crate::tui::{self, config, config::Config};
@@ -146,7 +146,7 @@ struct AccuracyArgs {
     scenario: ScenarioArgs,
     /// Finest mesh level that is tried, whose error needs two more [default: 4, or 3 of the model
     /// Physiological]
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=8))]
+    #[arg(long, value_name = "K", value_parser = whole(1, 8))]
     finest_level: Option<u32>,
     /// The result whose error is told [default: the peak pressure where there is one, else the
     /// damage index]
@@ -181,7 +181,7 @@ struct EnsembleArgs {
     #[command(flatten)]
     scenario: ScenarioArgs,
     /// How many samples: more of them make steadier bands
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = arguments::samples)]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = whole(FEWEST_SAMPLES, MAX_SAMPLES))]
     samples: u32,
     /// Which samples: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]

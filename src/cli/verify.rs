@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use clap::{Args, Subcommand, ValueEnum};
 use serde_json::Value;
 
-use crate::cli::{CliError, example, progress::shown};
+use crate::cli::{CliError, arguments::whole, example, progress::shown};
 use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
 use crate::run::threads;
 use crate::verify::{claims::FINEST_CHECKED, claims::Study, claims::check, fit::fit, hard_cases};
@@ -33,7 +33,7 @@ enum VerifyCommand {
         #[command(flatten)]
         scenes: SceneArgs,
         /// Level of the answers
-        #[arg(long, value_name = "K", default_value_t = 1, value_parser = checked_level())]
+        #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole(1, FINEST_CHECKED))]
         level: u32,
     },
     /// Whether answers of `run --tolerance P` are within P, for several P, in as many such pulses
@@ -45,7 +45,7 @@ enum VerifyCommand {
         #[command(flatten)]
         scenes: SceneArgs,
         /// Check mesh errors of answers at this level, in place of step errors
-        #[arg(long, value_name = "K", value_parser = checked_level())]
+        #[arg(long, value_name = "K", value_parser = whole(1, FINEST_CHECKED))]
         level: Option<u32>,
     },
     /// The same of random objects from the side, at the eye in three dimensions, and whether a flag
@@ -87,15 +87,11 @@ enum WhichFit {
 struct SceneArgs {
     /// How many scenes
     #[arg(long, value_name = "N", default_value_t = 200,
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SCENES)))]
+          value_parser = whole(1, MAX_SCENES))]
     scenes: u32,
     /// Which scenes: a seed gives the same ones for good
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u32,
-}
-
-fn checked_level() -> clap::builder::RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(1..=i64::from(FINEST_CHECKED))
 }
 
 pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
