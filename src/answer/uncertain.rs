@@ -246,7 +246,7 @@ const AIM_SOURCE: &str = "a guess of ours, 10 degrees and 2 mm: nobody measured 
 /// Where an object comes from and what it aims at.
 fn aim(scenario: &Scenario) -> Vec<UncertainInput> {
     // Straight on is what a person means who says nothing else.
-    let turns = scenario.geometry().is_some_and(Geometry::is_spatial);
+    let turns = scenario.is_spatial();
     let Some(projectile) = scenario.projectile().filter(|_| turns) else { return Vec::new() };
     // Off the axis an hour is known as well as the distance is.
     let hours = |hour: f64, off: f64, sd: f64| {

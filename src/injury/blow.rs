@@ -56,7 +56,7 @@ impl Blow {
         let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
         let off_axis = scenario.impact.angle_deg().abs() + beside.to_degrees();
         let off_axis = ramp(off_axis, ANGLE_DEG);
-        let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
+        let spatial = scenario.is_spatial();
         let aslant = if spatial { 0.0 } else { off_axis };
         let Some(object) = scenario.projectile() else {
             // Nobody has pushed an eye with a given force.

@@ -15,7 +15,7 @@ use crate::models::axisymmetric::case::AxisymmetricCase;
 use crate::models::paper::case::PaperCase;
 use crate::models::spatial::case::{Scene, SpatialCase};
 use crate::run::{model::EyeModel, rules::Rules};
-use crate::scenario::{CheckedScenario, Geometry, Impact, Model, Scenario};
+use crate::scenario::{CheckedScenario, Impact, Model, Scenario};
 use std::sync::Arc;
 
 /// The vectors of this machine, in words; `portable` says what rounds alike everywhere.
@@ -32,7 +32,7 @@ pub fn rules(scenario: &Scenario) -> &'static Rules {
 
 /// The eye of a scenario and what hits it, ready to be run.
 pub(crate) fn compiled(scenario: &CheckedScenario) -> Arc<dyn EyeModel> {
-    let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
+    let spatial = scenario.is_spatial();
     match (&scenario.model, &scenario.impact) {
         (Model::Physiological(model), Impact::Projectile(projectile)) if spatial => {
             Arc::new(SpatialCase::new(&Scene::new(scenario, model, projectile)))

@@ -9,7 +9,7 @@ use crate::report::format::{capital, digits, percent, significant};
 use crate::report::{json::AZIMUTH, risks};
 use crate::run::model::{Detail, Shown};
 use crate::run::{flags::FlagKind, quantity::Quantity, result_trace::Group};
-use crate::scenario::{Geometry, Scenario, direction::o_clock, problem::plain};
+use crate::scenario::{Scenario, direction::o_clock, problem::plain};
 use std::io::{self, Write};
 
 /// Results under headings, by what their traces are shown with.
@@ -26,7 +26,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     writeln!(out, "{}", printable(&scenario.name))?;
     let (level, nodes, elements) = (eye.level(), eye.regions().len(), eye.elements());
     let (what, kind) = (scenario.description(), eye.rules().element.plural());
-    let spatial = scenario.geometry().is_some_and(Geometry::is_spatial);
+    let spatial = scenario.is_spatial();
     let (cut, all) = if spatial { (" in the section", " in all") } else { ("", "") };
     let mesh = format!("mesh level {level}: {nodes} nodes{cut}, {elements} {kind}{all}");
     paragraph(&format!("{what}; {mesh}"), out)?;

@@ -6,7 +6,7 @@
 use crate::plain_text::printable;
 use crate::scenario::fields::{FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, plain};
-use crate::scenario::{FASTEST_M_S, Geometry, Impact, MOST_ENERGY_J, Model, Outline, Projectile};
+use crate::scenario::{FASTEST_M_S, Impact, MOST_ENERGY_J, Model, Outline, Projectile};
 use crate::scenario::{Scenario, Support, doubt, fields};
 use std::ops::Deref;
 
@@ -151,8 +151,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     }
     if let Some(projectile) = scenario.projectile() {
         let opening = model.gelatin_opening_deg;
-        let in_holder = model.support == Support::Gelatin
-            && scenario.geometry().is_some_and(Geometry::is_spatial);
+        let in_holder = model.support == Support::Gelatin && scenario.is_spatial();
         let fits_mm = 2.0 * HOLDER_MM * libm::sin(opening.min(90.0).to_radians());
         if in_holder && projectile.diameter_mm > fits_mm {
             let allowed = format!(
@@ -189,7 +188,7 @@ fn beyond_axisymmetry(scenario: &Scenario) -> Vec<Problem> {
     let (level, finest) = (scenario.eye.level, scenario.finest_level());
     if level > finest {
         let allowed = format!("whole numbers 1 to {finest}");
-        let complaint = if scenario.geometry().is_some_and(Geometry::is_spatial) {
+        let complaint = if scenario.is_spatial() {
             "is too fine for the eye in three dimensions, which numerics.geometry chooses"
         } else {
             "is out of range for this eye"

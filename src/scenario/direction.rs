@@ -101,24 +101,24 @@ impl Scenario {
     pub fn eye_side(&self) -> Side {
         self.physiological().map_or(Side::Right, |model| model.eye_side)
     }
+
+    /// What lies at the top of a section along the path of an object: the side that it comes from,
+    /// of an eye in three dimensions whichever of both is higher; none straight on.
+    pub fn top(&self) -> Option<&'static str> {
+        let hour = match self.projectile()? {
+            object if object.angle_deg != 0.0 => object.angle_clock,
+            object if object.offset_mm != 0.0 => object.offset_clock,
+            _ => return None,
+        };
+        let azimuth = self.eye_side().azimuth(hour);
+        Some(place(if self.is_spatial() { upper(azimuth) } else { azimuth }))
+    }
 }
 
 impl Projectile {
     /// Whether it flies along the eye's own axis.
     pub fn is_straight_on(&self) -> bool {
         self.angle_deg == 0.0 && self.offset_mm == 0.0
-    }
-
-    /// What lies at the top of a section along its path: the side that it comes from, of a `solid`
-    /// eye in three dimensions whichever of both is higher; none straight on.
-    pub fn top(&self, side: Side, solid: bool) -> Option<&'static str> {
-        let hour = match self {
-            _ if self.angle_deg != 0.0 => self.angle_clock,
-            _ if self.offset_mm != 0.0 => self.offset_clock,
-            _ => return None,
-        };
-        let azimuth = side.azimuth(hour);
-        Some(place(if solid { upper(azimuth) } else { azimuth }))
     }
 
     /// The front angle at which its path enters the globe, in degrees; none if it goes past.

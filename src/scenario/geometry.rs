@@ -42,6 +42,11 @@ impl Projectile {
 }
 
 impl Scenario {
+    /// Whether the eye is one in three dimensions.
+    pub fn is_spatial(&self) -> bool {
+        self.geometry().is_some_and(Geometry::is_spatial)
+    }
+
     /// How much of the eye the scene needs, or is told to compute; none of the Paper model.
     pub fn geometry(&self) -> Option<Geometry> {
         let model = self.physiological()?;

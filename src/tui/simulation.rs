@@ -47,7 +47,7 @@ pub fn first_estimate(scenario: &Scenario) -> Option<Scenario> {
     if let Impact::Projectile(projectile) = &mut first.impact {
         (projectile.angle_deg, projectile.offset_mm) = (0.0, 0.0);
     }
-    let slow = scenario.geometry().is_some_and(Geometry::is_spatial);
+    let slow = scenario.is_spatial();
     (slow && first.check().is_ok()).then_some(first)
 }
 

@@ -14,7 +14,7 @@ use crate::report::page::eye::{Picture, STYLE};
 use crate::report::risks::{first_line, lines, uncounted};
 use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
-use crate::scenario::{Geometry, Scenario, load::to_ron};
+use crate::scenario::{Scenario, load::to_ron};
 
 /// Nothing is loaded from anywhere, whatever a name holds.
 const RULES: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
@@ -148,14 +148,12 @@ fn blow(entry: &Entry) -> Markup {
 fn eye(scenario: &Scenario, answer: &Answer) -> Markup {
     let Some(picture) = Picture::of(answer) else { return html! {} };
     let time = format!("{:.3} ms", picture.time() * 1e3);
-    let solid = scenario.geometry().is_some_and(Geometry::is_spatial);
-    let top = scenario.projectile().and_then(|object| object.top(scenario.eye_side(), solid));
     let label = format!("The eye at {time}, when its apex is deepest");
     html! {
         figure.replay {
             figcaption {
                 "The eye at " output { (time) }
-                @if let Some(top) = top { "; at the top: " (top) }
+                @if let Some(top) = scenario.top() { "; at the top: " (top) }
             }
             svg.eye viewBox=(picture.view_box()) role="img" aria-label=(label) { (picture.content()) }
             div.screen {

@@ -140,13 +140,7 @@ impl<'a> EyePicture<'a> {
     /// What lies at the top of the picture, which is cut along the blow.
     fn up(&self) -> &'static str {
         // A first estimate comes straight on, whatever was asked.
-        let Some(Impact::Projectile(object)) = self.blow.map(|_| &self.shown.scenario.impact)
-        else {
-            return UP;
-        };
-        let frames = &self.shown.answer.run.frames;
-        let solid = frames.first().is_some_and(|frame| frame.front.is_some());
-        object.top(self.shown.scenario.eye_side(), solid).unwrap_or(UP)
+        self.blow.and_then(|_| self.shown.scenario.top()).unwrap_or(UP)
     }
 
     /// The arrow points along the blow; short bars mark the ends of the arc that was asked for.

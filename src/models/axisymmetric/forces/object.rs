@@ -359,11 +359,11 @@ impl MovingObject {
             .sum()
     }
 
-    /// Energy at a full step, J, of whose forces half of a kick of `kick` s went before, with what
-    /// that half loses.
-    pub fn energy(&self, kick: f64) -> f64 {
-        let lost = |i: usize| -0.5 * kick * self.lossy[i] * self.v[i];
-        self.kinetic(kick) + self.stored() + lost(0) + lost(1)
+    /// Energy at a full step, J, whose forces act for `kick` s, with what the first half of that
+    /// loses: in itself and, by a power of `on_eye` W, in the surface that moves with the eye.
+    pub fn energy(&self, kick: f64, on_eye: f64) -> f64 {
+        let lossy = |i: usize| self.lossy[i] * self.v[i];
+        self.kinetic(kick) + self.stored() + 0.5 * kick * (on_eye - lossy(0) - lossy(1))
     }
 
     /// How far in front of where it is its surface may yet swing, m.

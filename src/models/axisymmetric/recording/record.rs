@@ -46,7 +46,7 @@ impl Recorded for Motion<'_> {
         self.shape = self.shape(now.shell.length / self.shell.rest_length - 1.0);
         self.account.read_shape(&self.shape, time);
         if let Some((object, projectile)) = &self.object {
-            let energy = projectile.energy(kick) + 0.5 * kick * now.loss_in_object;
+            let energy = projectile.energy(kick, now.loss_in_object);
             let between = now.touch.map_or(0.0, |touch| touch.energy);
             let touched = -self.eye.parameters.radius - object.reach();
             let intrusion = projectile.x[0] - touched;
@@ -85,7 +85,7 @@ impl Recorded for Motion<'_> {
             .sum();
         let mut given = energy.work;
         if let Some((_, projectile)) = &self.object {
-            energy.object = projectile.energy(kick) + 0.5 * kick * now.loss_in_object;
+            energy.object = projectile.energy(kick, now.loss_in_object);
             given = self.account.given();
         }
         self.account.impart(given, self.flown(kick));

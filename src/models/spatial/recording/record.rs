@@ -48,7 +48,7 @@ impl Recorded for Motion<'_> {
         }
         self.account.stress = stress;
         let moving = &self.flying.moving;
-        let energy = moving.energy(kick) + 0.5 * kick * now.touch.loss;
+        let energy = moving.energy(kick, now.touch.loss);
         let between = (now.touch.energy, now.push.map_or(0.0, |push| push.energy));
         let intrusion = self.flying.intrusion(&self.way);
         self.account.read_object(energy, between, intrusion, time);
@@ -102,7 +102,7 @@ impl Recorded for Motion<'_> {
         energy.elastic = copies * (stored + now.held.map_or(0.0, |held| held.energy));
         energy.contact = now.touch.energy + now.push.map_or(0.0, |p| p.energy);
         energy.lost = self.lost + 0.5 * kick * copies * now.sums.loss;
-        energy.object = moving.energy(kick) + 0.5 * kick * now.touch.loss;
+        energy.object = moving.energy(kick, now.touch.loss);
         let kinetic = |node: usize| -> f64 {
             let of = |k: usize| {
                 let speed = state.speed[k][node];

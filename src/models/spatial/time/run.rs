@@ -30,10 +30,11 @@ use crate::run::watch::{Watch, unwatched};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
-/// How much longer the steps of cells and shell are once the object does not come any more, as
-/// long as each corner has more of its volume at rest than this: where one has less, a golf ball's
-/// energy is missed by more than 0.5 %.
-const LONGER: (f64, f64) = (1.6, 0.5);
+/// How much longer the steps of cells and shell are once the object does not come any more.
+const LONGER: f64 = 1.6;
+/// As long as each corner has more of its volume at rest than this: where one has less, a golf
+/// ball's energy is missed by more than 0.5 %.
+const UNCRUSHED: f64 = 0.5;
 /// Steps between two looks at whether the object is inside of the eye.
 const LOOK_EVERY: usize = 16;
 
@@ -313,8 +314,8 @@ impl Marching for Motion<'_> {
         let touch = self.target.forces(object, moving, &mut self.state);
         let mut limit = sums.limit.min(self.shell.limit);
         let comes = moving.velocity().dot(&self.way) > 0.0 && touch.force != Vector3::zeros();
-        if time > 0.0 && !comes && sums.least_corner > LONGER.1 {
-            limit *= LONGER.0;
+        if time > 0.0 && !comes && sums.least_corner > UNCRUSHED {
+            limit *= LONGER;
         }
         limit = limit.min(moving.limit).min(touch.limit);
         let mut push = None;
