@@ -5,7 +5,7 @@
 
 use crate::models::axisymmetric::eye::{AxisymmetricEye, parameters::Parameters};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline, ObjectSurface};
-use crate::models::axisymmetric::time::march::{CellLoop, Marching, STEP_SHARE};
+use crate::models::axisymmetric::time::march::{CellLoop, GROWTH, Marching, STEP_SHARE};
 use crate::models::axisymmetric::time::run::{AxisymmetricLoad, Motion};
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::spatial::eye::{SpatialEye, mesh::Extent, orbit::OrbitRim};
@@ -21,9 +21,11 @@ fn ball(radius: f64, mass: f64, speed: f64) -> Object {
 
 /// Goes on from `time` to `end` s by its own steps.
 fn follow<M: Marching>(motion: &mut M, time: &mut f64, end: f64) {
+    let mut most = f64::INFINITY;
     while *time < end {
         let now = motion.forces(*time);
-        let step = STEP_SHARE * M::bounds(&now).all;
+        let step = most.min(STEP_SHARE * M::bounds(&now).all);
+        most = GROWTH * step;
         motion.advance(&now, step, step);
         *time += step;
     }

@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 /// results of presets change by about 1 % at most, but for a pellet that flattens the eye.
 pub const STEP_SHARE: f64 = 0.9;
 /// Most a step grows.
-const GROWTH: f64 = 1.05;
+pub(crate) const GROWTH: f64 = 1.05;
 /// A run may end when nothing has grown for a whole swing of the eye after its object has gone
 /// this far, in m, or its pulse is over.
 pub(crate) const GONE: f64 = 0.5e-3;

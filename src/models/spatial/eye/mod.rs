@@ -82,7 +82,7 @@ pub(crate) fn upon(p: &[Vector3<f64>; 4], s: f64, t: f64) -> Vector3<f64> {
 }
 
 /// Shares of a piece that take a quarter, or an eighth, of what varies linearly.
-const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+pub(crate) const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 
 /// Volume that each corner of a cell stands for.
 fn volumes(p: &[Vector3<f64>; 8]) -> [f64; 8] {

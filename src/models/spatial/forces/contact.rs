@@ -4,7 +4,9 @@
 //! points of its area at rest; a point below the object's surface is pushed out along its normal by
 //! the foundation's traction, so force and energy are exact to each other. The laws are those of
 //! the axisymmetric contact: depth and normal depend on the place along the way of the object and
-//! the distance from the line through its middle.
+//! the distance from the line through its middle. The points are Gauss's: so the pressure that a BB
+//! makes in an eye that is alike on all sides depends on where it lands by 3 % to each side of the
+//! middle; with points at the quarters by 4 %, and nine or sixteen points are no better.
 //!
 //! The bound of the step is that of rows: with Kn the stiffness that a node has a share in, no
 //! frequency is above sqrt(2 Kn/mn) of some node or of the object; two thirds of 2 sqrt(m/K) are
@@ -12,15 +14,13 @@
 
 use crate::models::axisymmetric::forces::contact::{DAMPED, TOUCHING};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
-use crate::models::spatial::eye::{SpatialEye, areas, shares};
+use crate::models::spatial::eye::{GAUSS, SpatialEye, areas, shares};
 use crate::models::spatial::forces::object::{Line, MovingObject, touches};
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 
 /// Courant number of contact over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;
-/// Points along each side of a quad.
-const POINTS: [f64; 2] = [0.25, 0.75];
 /// A quad may grow by this before it is looked at too late.
 const GROWN: f64 = 2.0;
 
@@ -111,7 +111,7 @@ impl Target {
             let p = corners.map(at);
             Open {
                 corners,
-                areas: areas(&p, POINTS),
+                areas: areas(&p, GAUSS),
                 size: (p[2] - p[0]).norm().max((p[3] - p[1]).norm()),
                 shell: shell.get(&sorted(corners)).copied(),
             }
@@ -188,7 +188,7 @@ impl Target {
             let (mut pressed_any, mut close) = (false, false);
             let mut depths = [0.0; 4];
             for (point, area) in quad.areas.iter().enumerate() {
-                let shares = shares(POINTS[point & 1], POINTS[point >> 1]);
+                let shares = shares(GAUSS[point & 1], GAUSS[point >> 1]);
                 let mix = |of: &[Vector3<f64>; 4]| -> Vector3<f64> {
                     (0..4).map(|i| of[i] * shares[i]).sum()
                 };
@@ -272,8 +272,9 @@ fn sorted(mut of: [usize; 4]) -> [usize; 4] {
 /// depths of its points: between them and beyond they are taken to change evenly.
 fn touched(depths: [f64; 4], way: Vector3<f64>, p: &[Vector3<f64>; 4]) -> f64 {
     let depths = depths.map(|depth| depth + TOUCHING);
-    // At both ends of what is known at a quarter and at three.
-    let ends = |a: f64, b: f64| (1.5 * a - 0.5 * b, 1.5 * b - 0.5 * a);
+    // At both ends of what is known at the points.
+    let beyond = GAUSS[0] / (GAUSS[1] - GAUSS[0]);
+    let ends = |a: f64, b: f64| (a + (a - b) * beyond, b + (b - a) * beyond);
     let (low, high) = (ends(depths[0], depths[1]), ends(depths[2], depths[3]));
     let (first, last) = (ends(low.0, high.0), ends(low.1, high.1));
     let corners = [first.0, last.0, last.1, first.1];
