@@ -16,7 +16,9 @@ impl<W: Write> FrameWriter<W> {
     /// Whatever `out` reports.
     pub fn new(out: W) -> csv::Result<Self> {
         let mut csv = csv::Writer::from_writer(out);
-        csv.write_record(["frame", "time_ms", "node", "region", "x_mm", "y_mm", "force_n"])?;
+        csv.write_record([
+            "frame", "time_ms", "node", "region", "x_mm", "y_mm", "z_mm", "force_n",
+        ])?;
         Ok(Self { csv, written: 0 })
     }
 
@@ -33,6 +35,7 @@ impl<W: Write> FrameWriter<W> {
                 regions[node].name().to_owned(),
                 format!("{:.7}", place.x * 1e3),
                 format!("{:.7}", place.y * 1e3),
+                format!("{:.7}", frame.aside.get(node).unwrap_or(&0.0) * 1e3),
                 format!("{:.6e}", frame.forces[node]),
             ])?;
         }

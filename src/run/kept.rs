@@ -80,6 +80,9 @@ pub struct Frame {
     /// Position of each node, in m; at the axisymmetric eye of one half of the section, with x
     /// along the blow and y the distance from its line.
     pub positions: Vec<Point2<f64>>,
+    /// How far each node lies out of the plane of those, in m, towards the side where x turns to y
+    /// anticlockwise; empty where none can leave it.
+    pub aside: Vec<f64>,
     /// |m a| of each node, in N; at the axisymmetric eye m is 75 mg and a the mean over 20 us.
     pub forces: Vec<f64>,
     /// Pressure of each cell, in Pa, where the eye is made of cells.

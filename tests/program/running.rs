@@ -194,7 +194,7 @@ fn exported_frames_hold_all_nodes_of_all_frames_with_units() {
         .stdout(contains("31 frames"));
     let text = fs::read_to_string(&path).unwrap();
     let mut lines = text.lines();
-    assert_eq!(lines.next(), Some("frame,time_ms,node,region,x_mm,y_mm,force_n"));
+    assert_eq!(lines.next(), Some("frame,time_ms,node,region,x_mm,y_mm,z_mm,force_n"));
     assert_eq!(lines.count(), 31 * 220);
     assert!(text.contains(",retina,") && text.contains(",lens,") && text.contains(",orbit,"));
 }

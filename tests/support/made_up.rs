@@ -176,6 +176,7 @@ fn frame(scenario: &Scenario, traces: &Traces, row: usize, diameter: Option<f64>
     let nodes = nodes(scenario);
     Frame {
         front: None,
+        aside: Vec::new(),
         time: traces.time[row],
         positions: (nodes.iter())
             .map(|&(at, fixed)| at + Vector2::new(if fixed { 0.0 } else { push(at) }, 0.0))

@@ -238,3 +238,26 @@ fn the_socket_gives_readings_places_frames_and_a_picture_that_belong_together() 
     let detail = run.detail("globe_turn_deg").unwrap();
     assert!((0.0..20.0).contains(&detail));
 }
+
+#[test]
+fn frames_tell_how_far_nodes_leave_the_plane_that_is_shown() {
+    // From below, and beside the middle on the nose's side or the temple's.
+    let aside = |towards: f64| -> Vec<f64> {
+        let case = case(None, aim(30.0, 180.0, 4.0, towards), Until::Time(0.2e-3));
+        let integrator = Integrator::VelocityVerlet;
+        let step = STEP_SHARE * case.step_limit(integrator);
+        let plan = Plan { integrator, step, window: 0.2e-3, multiple: 1.0, local_tolerance: 1e-5 };
+        let keep = Keep { traces: false, frames: Some(Spacing::even(1e-4)) };
+        let run = case.run(&plan, keep, &mut unwatched).unwrap();
+        assert_eq!(run.frames[0].aside.len(), run.frames[0].positions.len());
+        assert!(run.frames[0].aside.iter().all(|aside| aside.abs() < 1e-12));
+        run.frames[2].aside.clone()
+    };
+    let (nose, temple) = (aside(90.0), aside(270.0));
+    // It pushes nodes to the other side: those seen from the nose away from who looks.
+    let farthest = nose.iter().copied().fold(0.0, f64::min);
+    assert!(farthest < -1e-4, "{farthest}");
+    for (a, b) in nose.iter().zip(&temple) {
+        assert!((a + b).abs() < 0.02 * farthest.abs(), "{a} {b}");
+    }
+}

@@ -175,6 +175,7 @@ impl Motion<'_> {
         let projectile = self.object.as_ref().map(|(_, projectile)| projectile);
         Frame {
             front: None,
+            aside: Vec::new(),
             time: due,
             positions: (0..eye.mass.len()).map(position).collect(),
             forces: velocities.map(force).collect(),

@@ -178,8 +178,8 @@ impl Motion<'_> {
     fn frame(&self, section: &Section, due: f64, back: f64, before: &[Vector3<f64>]) -> Frame {
         let velocities = self.velocities(section);
         let points = section.points.iter().zip(&velocities);
-        let position = |at: Vector3<f64>, speed: Vector3<f64>| section.shown(at - speed * back);
-        let positions = points.map(|(shown, v)| position(shown.point.of(&self.state.at), *v));
+        let places: Vec<Vector3<f64>> =
+            points.map(|(shown, v)| shown.point.of(&self.state.at) - v * back).collect();
         let forces = velocities.iter().enumerate().map(|(i, speed)| {
             let earlier = before.get(i).copied().unwrap_or_default();
             NODE_MASS * (speed - earlier).norm() / SMOOTHING_S
@@ -188,10 +188,11 @@ impl Motion<'_> {
         let moving = &self.flying.moving;
         Frame {
             time: due,
-            positions: positions.collect(),
+            positions: places.iter().map(|place| section.shown(*place)).collect(),
+            aside: places.iter().map(|place| section.aside(*place)).collect(),
             forces: forces.collect(),
             cells: section.cells.iter().map(|(_, cell)| pressures[*cell]).collect(),
-            projectile: Some(position(moving.middle(), moving.velocity())),
+            projectile: Some(section.shown(moving.middle() - moving.velocity() * back)),
             squeezed: moving.squeezed(),
             pressure: Some(self.account.pressure()),
             front: Some(self.front(section, back)),

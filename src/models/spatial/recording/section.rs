@@ -98,6 +98,11 @@ impl Section {
         Point2::new(place.x, place.dot(&self.up))
     }
 
+    /// How far a place lies out of the plane that is shown, towards who looks at it.
+    pub fn aside(&self, place: Vector3<f64>) -> f64 {
+        place.dot(&Vector3::x().cross(&self.up))
+    }
+
     /// Where a place is seen from the front: x towards the nose, y up.
     pub fn facing(&self, place: Vector3<f64>) -> Point2<f64> {
         Point2::from(self.face.map(|axis| place.dot(&axis)))
