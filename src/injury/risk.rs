@@ -25,7 +25,7 @@ const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
 const UNTESTED: f64 = 0.10;
 /// What the measured shape of the orbit changes in log10 of each measure over a round rim: the root
 /// mean square of eight presets straight on that meet bone (`contrecoup guide sides`).
-const ROUND_RIM: PerInjury<f64> = [0.25, 0.18, 0.13, 0.43, 0.27, 0.17];
+const ROUND_RIM: PerInjury<f64> = [0.24, 0.18, 0.13, 0.44, 0.29, 0.17];
 /// Risks are kept so far from 0 and 1 that their logits are finite.
 const SURE: f64 = 1e-9;
 

@@ -10,6 +10,10 @@ use strum::IntoStaticStr;
 pub const HOURS: f64 = 12.0;
 /// Radius of the globe, in mm.
 pub const GLOBE_MM: f64 = 12.0;
+/// An object at a greater angle, in degrees, would fly along the face.
+pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
+/// The farthest beside the middle of the globe that an object may be aimed, in mm.
+pub const FARTHEST_AIM_MM: f64 = 10.0;
 
 /// Which eye of a person.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
@@ -85,14 +89,16 @@ impl Impact {
     /// Turns an angle or offset below 0 to the other side of the clock.
     pub(super) fn by_the_clock(&mut self) {
         let Self::Projectile(projectile) = self else { return };
-        let turned = |value: &mut f64, hour: &mut f64| {
-            if *value < 0.0 {
+        // What is beyond the bounds is refused as it was given.
+        let turned = |value: &mut f64, hour: &mut f64, most: f64| {
+            if (-most..0.0).contains(value) {
                 *value = -*value;
-                *hour = (*hour + 0.5 * HOURS) % HOURS;
+                let turned = (*hour + 0.5 * HOURS) % HOURS;
+                *hour = if turned == 0.0 { HOURS } else { turned };
             }
         };
-        turned(&mut projectile.angle_deg, &mut projectile.angle_clock);
-        turned(&mut projectile.offset_mm, &mut projectile.offset_clock);
+        turned(&mut projectile.angle_deg, &mut projectile.angle_clock, STEEPEST_OBJECT_DEG);
+        turned(&mut projectile.offset_mm, &mut projectile.offset_clock, FARTHEST_AIM_MM);
     }
 }
 

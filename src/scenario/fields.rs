@@ -6,7 +6,11 @@
 mod words;
 
 use self::words::Directions;
-use crate::scenario::{FASTEST_M_S, ForcePulse, Geometry, Impact, auto::AUTO, direction::HOURS};
+use crate::scenario::{
+    FASTEST_M_S, ForcePulse, Geometry, Impact,
+    auto::AUTO,
+    direction::{FARTHEST_AIM_MM, HOURS},
+};
 use crate::scenario::{Integrator, Lens, Model, Outline, Physiological, Projectile};
 use crate::scenario::{ProjectileStiffness, PulseShape, Rim, Scenario, Side, Species, Support};
 use crate::scenario::{Surface, integrator, problem::plain};
@@ -272,7 +276,7 @@ pub static FIELDS: &[Field] = &[
     field("impact.from", "Comes from", "", "The side that it comes from; its angle and hour follow", Choice(&Directions)),
     field(ANGLE_PATH, "Angle", "deg", "0 is straight on, below 0 from the other side; an object within 75", Number(b(-120.0, 120.0, 1.0, 10.0), ANGLE)),
     field("impact.angle_clock", "Hour of angle", "h", "12 above, 6 below; 3 the nose of a right eye, 9 of a left", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, angle_clock))),
-    field("impact.offset_mm", "Off centre", "mm", "How far beside the middle of the cornea it aims", Number(b(0.0, 10.0, 0.5, 2.0), within!(projectile, projectile_mut, offset_mm))),
+    field("impact.offset_mm", "Off centre", "mm", "How far beside the middle of the cornea it aims", Number(b(0.0, FARTHEST_AIM_MM, 0.5, 2.0), within!(projectile, projectile_mut, offset_mm))),
     field("impact.offset_clock", "Aims towards", "h", "The hour towards which it aims beside the middle", Number(b(0.0, HOURS, 0.5, 3.0), within!(projectile, projectile_mut, offset_clock))),
     field("impact.stiffness", "Stiffness", "", "Whether the object as a whole gives way like a spring", Choice(&one_of(|| vec![ProjectileStiffness::Rigid, ProjectileStiffness::LINEAR], within!(projectile, projectile_mut, stiffness)))),
     field("impact.stiffness.n_per_m", "Spring stiffness", "N/m", "Force that it takes to shorten the object", Number(b(1.0, 1e9, 1e3, 1e4), of_variant!(projectile, projectile_mut, stiffness, n_per_m in ProjectileStiffness::Linear { n_per_m }))),

@@ -4,8 +4,9 @@
 //! support has one mirror plane, so half of the eye in three dimensions is the whole; a measured
 //! orbit has none. Straight on, bone is a mean orbit unless [`Geometry::Full`] is asked for.
 
+use crate::scenario::direction::{STEEPEST_OBJECT_DEG, upper};
 use crate::scenario::{FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile};
-use crate::scenario::{STEEPEST_OBJECT_DEG, Scenario, Support, TRUSTED_ANGLE_DEG};
+use crate::scenario::{Scenario, Support, TRUSTED_ANGLE_DEG};
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
@@ -78,6 +79,14 @@ impl Scenario {
         self.geometry().map(|_| if turned { TRUSTED_ANGLE_DEG } else { STEEPEST_OBJECT_DEG })
     }
 
+    /// Whether an object comes from what lies at the top of a section along its path, where it is
+    /// drawn above the eye's axis; its angle is shown below 0 where not.
+    pub fn comes_from_top(&self) -> bool {
+        let Some(object) = self.projectile() else { return true };
+        let azimuth = self.eye_side().azimuth(object.angle_clock);
+        self.numerics.geometry == Geometry::Axisymmetric || upper(azimuth) == azimuth
+    }
+
     /// The eye in words, where the blow comes from, and how much of it is computed.
     pub fn description(&self) -> String {
         let mut words = self.model.description();
@@ -86,12 +95,13 @@ impl Scenario {
         {
             words.extend(["; ", &direction]);
         }
-        words += match self.geometry() {
-            Some(Geometry::Half) => "; half of it, in three dimensions",
-            Some(Geometry::Full) => "; all of it, in three dimensions",
-            _ => "",
+        let much = match self.geometry() {
+            Some(Geometry::Half) => "half",
+            Some(Geometry::Full) => "all",
+            _ => return words,
         };
-        words
+        let (side, ..) = self.eye_side().seen();
+        words + &format!("; a {side} eye, {much} of it in three dimensions")
     }
 
     /// The finest level of the mesh that it may be computed with.

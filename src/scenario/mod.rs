@@ -29,7 +29,7 @@ use std::collections::BTreeMap;
 
 pub use crate::scenario::check::CheckedScenario;
 pub use crate::scenario::curve::{Curve, CurveError};
-pub use crate::scenario::direction::Side;
+pub use crate::scenario::direction::{STEEPEST_OBJECT_DEG, Side};
 pub use crate::scenario::geometry::{FINEST_SPATIAL_LEVEL, Geometry};
 pub use crate::scenario::integrator::Integrator;
 pub use crate::scenario::physiological::{
@@ -38,9 +38,7 @@ pub use crate::scenario::physiological::{
 };
 use crate::scenario::problem::plain;
 pub use crate::scenario::problem::{Problem, ScenarioError};
-pub use crate::scenario::projectile::{
-    Outline, Projectile, ProjectileStiffness, STEEPEST_OBJECT_DEG, Surface,
-};
+pub use crate::scenario::projectile::{Outline, Projectile, ProjectileStiffness, Surface};
 pub use crate::scenario::rim::{Around, Rim};
 use curve_file::CurveFile;
 use serde::{Deserialize, Deserializer, Serialize};

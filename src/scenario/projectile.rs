@@ -4,9 +4,6 @@ use crate::scenario::{direction::HOURS, is_default};
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
-/// An object at a greater angle, in degrees, would fly along the face.
-pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
-
 /// A ball or cylinder that flies at the cornea along the inward normal at its angle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

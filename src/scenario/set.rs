@@ -232,6 +232,8 @@ fn number(text: &str) -> Option<f64> {
 fn clock(text: &str) -> Option<f64> {
     let (hour, minutes) = text.split_once(':')?;
     let (hour, minutes): (u8, u8) = (hour.trim().parse().ok()?, minutes.trim().parse().ok()?);
+    // Half past twelve is half an hour of the first.
+    let hour = if hour == 12 && minutes > 0 { 0 } else { hour };
     (minutes < 60).then(|| f64::from(hour) + f64::from(minutes) / 60.0)
 }
 

@@ -65,6 +65,16 @@ pub const FIRST_ESTIMATE: &str = "first estimate";
 pub const AS_IF_STRAIGHT_ON: &str = "first estimate, as if straight on";
 
 impl AppModel {
+    /// Whether what is shown can be seen from the front; says why not where there is something.
+    pub fn can_face_front(&mut self) -> bool {
+        let Some(shown) = &self.shown else { return false };
+        let has_front = shown.has_front();
+        if !has_front {
+            self.notice = Some("a section has no front: hit the eye with an object".to_owned());
+        }
+        has_front
+    }
+
     /// Whether this scenario may be simulated here, or why not.
     pub fn allows(&self, scenario: &Scenario) -> Result<(), String> {
         if self.guest { guest::allowed(scenario) } else { Ok(()) }

@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use crate::answer::solve::Answer;
-use crate::report::picture::{Anatomy, field::TissueField};
+use crate::report::picture::{Anatomy, field::TissueField, front::seen};
 use crate::run::drawing::Drawing;
 use crate::scenario::Scenario;
 use crate::tui::view::heat::hottest;
@@ -27,6 +27,12 @@ pub struct ShownAnswer {
 }
 
 impl ShownAnswer {
+    /// Whether the eye can be seen from the front.
+    pub fn has_front(&self) -> bool {
+        let first = self.answer.run.frames.first();
+        first.is_some_and(|frame| seen(&self.drawing, frame).is_some())
+    }
+
     /// The answer to a scenario.
     pub fn new(scenario: Scenario, answer: Answer) -> Self {
         let drawing = answer.case.eye.drawing();

@@ -170,7 +170,8 @@ fn keep_rules(scenario: &mut Scenario) {
         match &mut scenario.impact {
             Impact::ForcePulse(pulse) => pulse.angle_deg *= 0.5,
             Impact::Projectile(shot) => {
-                shot.angle_deg *= 0.3;
+                // One beyond the bounds was kept as it was given.
+                shot.angle_deg = 0.3 * shot.angle_deg.abs();
                 if model.support == Support::Gelatin {
                     shot.diameter_mm = shot.diameter_mm.min(39.0);
                 }

@@ -218,7 +218,7 @@ fn a_doubt_goes_with_its_field() {
 #[test]
 fn an_hour_is_typed_as_a_clock_shows_it() {
     let ball = preset("bb-62", &[]);
-    for (text, wanted) in [("7:30", 7.5), (" 12:00 ", 12.0), ("7.5", 7.5), ("3", 3.0)] {
+    for (text, wanted) in [("7:30", 7.5), (" 12:00 ", 12.0), ("7.5", 7.5), ("12:30", 0.5)] {
         let turned = with(ball.clone(), "impact.angle_clock", text);
         assert_eq!(turned.projectile().unwrap().angle_clock, wanted, "{text}");
     }

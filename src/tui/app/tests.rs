@@ -22,6 +22,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::time::Duration;
 
+mod dial;
 mod doubt;
 mod first_estimate;
 mod keys;

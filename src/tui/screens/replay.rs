@@ -2,8 +2,8 @@
 
 use ratatui::style::Style;
 
+use crate::report::picture::Part;
 use crate::report::{figure::at_a_moment, format::grouped, format::significant};
-use crate::report::{picture::Part, picture::front::seen};
 use crate::run::trace::{OtherTrace, TRACES, Trace};
 use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
 use crate::tui::clock::{MeshDetail, peak_said};
@@ -88,12 +88,10 @@ impl Screen for Replay {
 impl Replay {
     /// Shows the eye from the front or cut, its anatomy first.
     fn turn(&mut self, model: &mut AppModel) {
-        let Some(shown) = &model.shown else { return };
-        let frame = shown.answer.run.frames.first();
-        if frame.and_then(|frame| seen(&shown.drawing, frame)).is_none() {
-            model.notice = Some("a section has no front: hit the eye with an object".to_owned());
+        if !model.can_face_front() {
             return;
         }
+        let Some(shown) = &model.shown else { return };
         let hit = shown.drawing.object.is_some();
         let anatomy = model.clock.detail(hit) == MeshDetail::Anatomy;
         self.front = !(self.front && anatomy);

@@ -7,14 +7,14 @@
 use nalgebra::Point2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Color;
+use ratatui::style::Style;
 
 use crate::report::picture::field::TissueField;
 use crate::report::picture::{Part, object_sides};
 use crate::run::drawing::{Drawing, Line};
 use crate::run::kept::{Frame, nearest};
 use crate::run::{places::Region, quantity::Quantity};
-use crate::scenario::{Impact, Scenario};
+use crate::scenario::{Impact, Scenario, direction::HOURS};
 use crate::tui::view::heat::{heat_glyph, step_of, thresholds};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::{picture::Anatomical, picture::window::Window};
@@ -96,14 +96,15 @@ impl<'a> EyePicture<'a> {
         let Some(frame) = frames.get(nearest(frames, self.time)) else { return };
         if let (MeshDetail::Anatomy, Some(field)) = (self.detail, self.field) {
             Anatomical { scene: self, frame, field }.draw(sheet);
-            if self.front {
-                return;
-            }
             // An object shows by itself where it comes from.
             if self.aiming || self.shown.drawing.object.is_none() {
                 let mut raster = Raster::new(area, self.look.symbols);
                 let (across, down) = raster.grain();
-                let (window, field) = Window::within(area, &self.shown.drawing, self.look.symbols);
+                let (window, field) = if self.front {
+                    Window::facing(area, self.look.symbols)
+                } else {
+                    Window::within(area, &self.shown.drawing, self.look.symbols)
+                };
                 let dot = |at| {
                     let (x, y) = window.cell(at);
                     let below = f64::from(field.y - area.y);
@@ -113,9 +114,9 @@ impl<'a> EyePicture<'a> {
                 raster.paint(sheet.buffer);
             }
             let up = self.up();
-            if up != UP && area.height > 2 {
+            if !self.front && up != UP && area.height > 2 {
                 // A large object may lie behind it.
-                sheet.put((0, 1), up, theme.text().bg(Color::Reset));
+                sheet.put((0, 1), up, Style::reset().patch(theme.text()));
             }
             return;
         }
@@ -149,8 +150,16 @@ impl<'a> EyePicture<'a> {
             |angle: f64, radius: f64| dot(Point2::new(-radius * angle.cos(), radius * angle.sin()));
         let Some(blow) = self.blow else { return };
         let (angle, half) = match &blow.impact {
+            Impact::Projectile(object) if self.front => {
+                // From the hour, which a blow straight on has none of; from 9 o'clock it is 0.
+                if object.angle_deg == 0.0 {
+                    return;
+                }
+                (90.0 + object.angle_clock * 360.0 / HOURS, None)
+            }
             Impact::ForcePulse(pulse) => (pulse.angle_deg, Some(pulse.half_width_deg)),
-            Impact::Projectile(object) => (object.angle_deg, None),
+            Impact::Projectile(object) if blow.comes_from_top() => (object.angle_deg, None),
+            Impact::Projectile(object) => (-object.angle_deg, None),
         };
         let angle = angle.to_radians();
         let style = if self.aiming { theme.load().bold() } else { theme.load() };

@@ -415,12 +415,9 @@ fn every_injury_has_its_answer_beside_the_form_on_the_usual_terminal() {
 
 #[test]
 fn every_node_has_one_name_and_its_peak_is_visited() {
-    for screen in ["1\t", "2", "3v"] {
+    for screen in ["1f\t", "2", "3v"] {
         let mut app = app(&["bb-62"], Depth::Mono);
         press(&mut app, &format!("\x1b{screen}"));
-        if screen.starts_with('1') {
-            press(&mut app, "f");
-        }
         let mut visited = std::collections::BTreeSet::new();
         let shown = app.model.shown.as_ref().unwrap();
         let peaks =

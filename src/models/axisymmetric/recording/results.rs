@@ -43,6 +43,8 @@ pub struct Extremes {
     pub energy_given: Peak,
     /// Radius of the largest contact, m.
     pub contact_radius: f64,
+    /// How much of what that contact takes counts at the cornea, 0 to 1.
+    pub on_cornea: f64,
     /// Mean acceleration over 20 us times 75 mg at centre, front, right and top, N.
     pub node_force: [Peak; 4],
     /// Least volume of the globe over that at rest.
@@ -70,13 +72,20 @@ pub struct Extremes {
 impl Extremes {
     /// The extremes of an eye that nothing has happened to.
     pub fn at_rest() -> Self {
-        Self { least_volume: 1.0, most_volume: 1.0, least_triangle: 1.0, ..Self::default() }
+        Self {
+            on_cornea: 1.0,
+            least_volume: 1.0,
+            most_volume: 1.0,
+            least_triangle: 1.0,
+            ..Self::default()
+        }
     }
 
-    /// Most energy that the eye was given over the area of the largest contact, if any, J/m2.
+    /// Most energy that the eye was given over the area of the largest contact, if any, as far as
+    /// it counts at the cornea, J/m2.
     pub fn energy_over_contact(&self) -> f64 {
         let area = PI * self.contact_radius * self.contact_radius;
-        if area > 0.0 { self.energy_given.value / area } else { 0.0 }
+        if area > 0.0 { self.on_cornea * self.energy_given.value / area } else { 0.0 }
     }
 
     /// Whether an object never touched the eye, as one that bone caught.

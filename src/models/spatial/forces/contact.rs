@@ -32,8 +32,8 @@ struct Open {
     areas: [f64; 4],
     /// Longest diagonal at rest, m.
     size: f64,
-    /// Its number among those of the shell, if it is one.
-    shell: Option<usize>,
+    /// Its number among those of the shell, if it is one, and how much of it is cornea.
+    shell: Option<(usize, f64)>,
 }
 
 /// The eye as contact sees it.
@@ -65,6 +65,8 @@ pub(crate) struct Touch {
     pub loss: f64,
     /// Area of the shell, across the way of the object, that is touched, m2.
     pub area: f64,
+    /// As far as that is cornea, m2.
+    pub cornea: f64,
 }
 
 /// The share of a triangle in which a linear depth is above 0.
@@ -106,7 +108,7 @@ impl Target {
         let at = |node: usize| eye.mesh.at[node];
         let numbered = eye.quads.iter().enumerate();
         let shell: std::collections::BTreeMap<_, _> =
-            numbered.map(|(number, quad)| (sorted(quad.corners), number)).collect();
+            numbered.map(|(i, quad)| (sorted(quad.corners), (i, 1.0 - quad.sclera))).collect();
         let quads = eye.open_quads().into_iter().map(|corners| {
             let p = corners.map(at);
             Open {
@@ -176,7 +178,7 @@ impl Target {
         let near = object.near();
         let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
         for quad in &self.quads {
-            if let Some(number) = quad.shell {
+            if let Some((number, _)) = quad.shell {
                 self.touched[number] = false;
             }
             if Self::far(object, projectile, vector(&state.at, quad.corners[0]), quad.size) {
@@ -234,10 +236,11 @@ impl Target {
                     state.push(node, force);
                 }
             }
-            if let Some(number) = quad.shell.filter(|_| close) {
+            if let Some((number, cornea)) = quad.shell.filter(|_| close) {
                 let area = touched(depths, projectile.way, &p);
                 self.touched[number] = area > 0.0;
                 touch.area += area;
+                touch.cornea += cornea * area;
             }
         }
         touch.limit = self.bound();
@@ -249,6 +252,7 @@ impl Target {
         touch.energy *= self.copies;
         touch.loss *= self.copies;
         touch.area *= self.copies;
+        touch.cornea *= self.copies;
         // The object's own mass may be less than that of what it presses.
         if whole_slope > 0.0 {
             let stable = (projectile.mass[0] / (self.copies * whole_slope)).sqrt();

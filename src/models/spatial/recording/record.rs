@@ -38,6 +38,8 @@ impl Recorded for Motion<'_> {
             }
         }
         e.contact_radius = e.contact_radius.max((now.touch.area / PI).sqrt());
+        let cornea = &mut self.extremes.cornea_touched;
+        *cornea = cornea.max(now.touch.cornea);
         let mut used_up = now.touch.used_up;
         if let Some(push) = &now.push {
             e.rim_force.offer(push.force.norm(), time);

@@ -30,6 +30,8 @@ pub struct Extremes {
     pub energy_at_bone: f64,
     /// Force of the globe on bone, N.
     pub globe_on_bone: Peak,
+    /// Most of the cornea that the object touched at once, across its way, m2.
+    pub cornea_touched: f64,
 }
 
 /// That of one run, with the angular momentum about the middle of the globe at rest, kg m2/s.

@@ -16,7 +16,7 @@ use crate::models::axisymmetric::time::run::slowest_swing;
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::axisymmetric::{forces::state::CellSums, recording::account::Account};
 use crate::models::axisymmetric::{recording::sensor::LowPass, time::due::FramesDue};
-use crate::models::spatial::eye::{ShellQuad, SpatialEye};
+use crate::models::spatial::eye::{ShellQuad, SpatialEye, area};
 use crate::models::spatial::forces::contact::{Target, Touch, depth};
 use crate::models::spatial::forces::object::{Aim, MovingObject, touches};
 use crate::models::spatial::forces::rim::{Bone, Held, Push, Rim};
@@ -284,6 +284,18 @@ impl<'a> Motion<'a> {
         }
     }
 
+    /// How much of what the largest contact takes counts at the cornea: all where half of that
+    /// contact, or of the cornea, was touched at once, less in proportion, nothing on sclera alone.
+    fn on_cornea(&self) -> f64 {
+        let eye = self.eye;
+        let of_cornea = |quad: &ShellQuad| {
+            (1.0 - quad.sclera) * area(&quad.corners.map(|node| eye.mesh.at[node]))
+        };
+        let cornea = eye.copies() * eye.quads.iter().map(of_cornea).sum::<f64>();
+        let contact = PI * self.account.extremes.contact_radius.powi(2);
+        (2.0 * self.extremes.cornea_touched / cornea.min(contact).max(f64::MIN_POSITIVE)).min(1.0)
+    }
+
     /// Largest depth of a node of the shell in the object, below 0 where it is clear, and the speed
     /// at which that closes, m/s.
     fn nearest(&self) -> (f64, f64) {
@@ -394,6 +406,7 @@ impl Marching for Motion<'_> {
             angular += moving.at[i].cross(&(moving.speed[i] * moving.mass[i]));
         }
         let rebound = -moving.velocity().dot(&self.way);
+        self.account.extremes.on_cornea = self.on_cornea();
         self.account.finish(Some(rebound));
         let mut extremes = self.extremes;
         if self.account.extremes.missed() {

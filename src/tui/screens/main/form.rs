@@ -97,7 +97,11 @@ pub fn simulating(model: &AppModel) -> Option<String> {
 
 fn help(model: &AppModel, pane: usize) -> String {
     if pane == DIAL && model.overlay.is_none() {
-        return "Turn the blow, or widen the arc it acts on".to_owned();
+        let other = match model.work.scenario.projectile() {
+            Some(_) => "or the hour it comes from",
+            None => "or widen the arc it acts on",
+        };
+        return format!("Turn the blow, {other}");
     }
     let typing = model.form.typing.as_ref();
     let hint = typing.and_then(doubtful).unwrap_or_else(|| described(model));

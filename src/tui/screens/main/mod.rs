@@ -10,7 +10,7 @@ use ratatui::layout::Rect;
 use std::iter::successors;
 use std::mem::discriminant;
 
-use crate::scenario::{Scenario, fields, fields::Field};
+use crate::scenario::{Scenario, direction::HOURS, fields, fields::Field};
 use crate::tui::changes::{presets, threshold, typing};
 use crate::tui::form::{FormRow, allowed, chosen, nudged, with_text};
 use crate::tui::keys::press::{DOWN, ENTER, LEFT, Press, RIGHT, UP, c};
@@ -26,6 +26,7 @@ pub(super) const QUESTION: &str = "How bad?";
 /// Small steps in place of a large one, at most.
 const MAX_SMALL_STEPS: usize = 20;
 const ANGLE: &str = "impact.angle_deg";
+const HOUR: &str = "impact.angle_clock";
 const HALF_WIDTH: &str = "impact.half_width_deg";
 
 /// The place of the pane with the focus, and what is drawn over time.
@@ -34,12 +35,14 @@ pub struct Main {
     pane: usize,
     /// Whether the curves are those of node forces.
     nodes: bool,
+    /// Whether the dial shows the eye from the front, where it can be seen from there.
+    front: bool,
 }
 
 impl Panes for Main {
     const PANES: &'static [Pane<Self>] = &[
         Pane::new("form", TimeKeys::Late, &[NUMBER_KEYS, OTHER_KEYS, FORM_KEYS]),
-        Pane::new("dial", TimeKeys::Late, &[DIAL_KEYS]),
+        Pane::new("dial", TimeKeys::Late, &[DIAL_KEYS, HOUR_KEYS, ARC_KEYS]),
     ];
 }
 
@@ -86,16 +89,29 @@ const FORM_KEYS: PaneKeys<Main> = PaneKeys::new("Form", &[
 
 #[rustfmt::skip]
 const DIAL_KEYS: PaneKeys<Main> = PaneKeys::new("Dial", &[
-    bind(&[UP, c('k')], |_, m| nudge(m, ANGLE, Step::MORE), "turn", "turn the blow up"),
-    bind(&[DOWN, c('j')], |_, m| nudge(m, ANGLE, Step::LESS), "&", "turn the blow down"),
-    bind(&[SHIFT_UP, c('K')], |_, m| nudge(m, ANGLE, Step::MUCH_MORE), "", "turn it up by a large step"),
-    bind(&[SHIFT_DOWN, c('J')], |_, m| nudge(m, ANGLE, Step::MUCH_LESS), "", "turn it down by a large step"),
+    bind(&[UP, c('k')], |_, m| turn(m, Step::MORE), "turn", "turn the blow up"),
+    bind(&[DOWN, c('j')], |_, m| turn(m, Step::LESS), "&", "turn the blow down"),
+    bind(&[SHIFT_UP, c('K')], |_, m| turn(m, Step::MUCH_MORE), "", "turn it up by a large step"),
+    bind(&[SHIFT_DOWN, c('J')], |_, m| turn(m, Step::MUCH_LESS), "", "turn it down by a large step"),
+    bind(&[c('f')], Main::look_from_front, "front", "the eye from the front, or cut"),
+]);
+
+/// An object acts on no arc of its own; where it comes from is an hour as well.
+#[rustfmt::skip]
+const HOUR_KEYS: PaneKeys<Main> = PaneKeys::new("Dial: an object", &[
+    bind(&[LEFT, c('h')], |_, m| turn_clock(m, Step::LESS), "hour", "to an earlier hour"),
+    bind(&[RIGHT, c('l')], |_, m| turn_clock(m, Step::MORE), "&", "to a later hour"),
+    bind(&[SHIFT_RIGHT, c('L')], |_, m| turn_clock(m, Step::MUCH_MORE), "", "later by a large step"),
+    bind(&[SHIFT_LEFT, c('H')], |_, m| turn_clock(m, Step::MUCH_LESS), "", "earlier by a large step"),
+]).when(|_, model| model.work.scenario.projectile().is_some());
+
+#[rustfmt::skip]
+const ARC_KEYS: PaneKeys<Main> = PaneKeys::new("Dial: a force", &[
     bind(&[LEFT, c('h')], |_, m| nudge(m, HALF_WIDTH, Step::LESS), "width", "narrow the loaded arc"),
     bind(&[RIGHT, c('l')], |_, m| nudge(m, HALF_WIDTH, Step::MORE), "&", "widen the loaded arc"),
     bind(&[SHIFT_RIGHT, c('L')], |_, m| nudge(m, HALF_WIDTH, Step::MUCH_MORE), "", "widen it by a large step"),
     bind(&[SHIFT_LEFT, c('H')], |_, m| nudge(m, HALF_WIDTH, Step::MUCH_LESS), "", "narrow it by a large step"),
-    NODES,
-]);
+]).when(|_, model| model.work.scenario.projectile().is_none());
 
 const NODES: Binding<Act<Main>> = bind(
     &[c('f')],
@@ -124,6 +140,24 @@ fn enter(model: &mut AppModel) {
         }
         FormRow::Field(_) => typing::begin(model, false),
     }
+}
+
+/// Turns the blow about the eye as it is drawn: an object from below comes up by a smaller angle.
+fn turn(model: &mut AppModel, step: Step) {
+    let up = model.work.scenario.comes_from_top();
+    nudge(model, ANGLE, if up { step } else { step.reversed() });
+}
+
+/// Takes a later hour, or an earlier one: 12 is 0.
+fn turn_clock(model: &mut AppModel, step: Step) {
+    let Some(field) = fields::find(HOUR) else { return };
+    let mut scenario = model.work.scenario.clone();
+    let Some(object) = scenario.projectile_mut() else { return };
+    let end = if step.up { HOURS } else { 0.0 };
+    if object.angle_clock == end {
+        object.angle_clock = HOURS - end;
+    }
+    take(model, HOUR, nudged(&scenario, field, step, None));
 }
 
 fn nudge(model: &mut AppModel, path: &'static str, step: Step) {
@@ -173,7 +207,7 @@ fn furthest(
 
 impl Screen for Main {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
-        view::draw((self.pane, self.nodes), model, sheet);
+        view::draw((self.pane, self.nodes, self.front), model, sheet);
     }
 
     fn pane(&self) -> usize {
@@ -200,8 +234,10 @@ impl Screen for Main {
             }
             Mouse::Press(_) if parts.eye.contains(at.into()) => {
                 self.pane = DIAL;
-                aim(model, at, parts.eye);
-                return true;
+                if !self.front {
+                    aim(model, at, parts.eye);
+                }
+                return !self.front;
             }
             Mouse::Press(_) => {}
             Mouse::Drag(_) => aim(model, at, parts.eye),
@@ -221,6 +257,11 @@ impl Screen for Main {
 }
 
 impl Main {
+    /// Shows the eye from the front or cut.
+    fn look_from_front(&mut self, model: &mut AppModel) {
+        self.front = !self.front && model.can_face_front();
+    }
+
     /// Chooses a row of the form, or opens the one that is chosen already.
     fn press_row(&mut self, model: &mut AppModel, row: Option<FormRow>) {
         let again = self.pane == FORM && Some(model.form.selected) == row;
@@ -242,7 +283,8 @@ fn aim(model: &mut AppModel, at: (u16, u16), picture: Rect) {
     };
     let detail = model.clock.detail(shown.drawing.object.is_some());
     let drawn = view::drawn_in(picture, detail);
-    let angle = eye::angle_at(drawn, model, shown, at).to_degrees();
+    let drawn_at = eye::angle_at(drawn, model, shown, at).to_degrees();
+    let angle = if model.work.scenario.comes_from_top() { drawn_at } else { -drawn_at };
     // Minus zero would be written with its sign.
     let text = (angle.round() + 0.0).to_string();
     model.form.complaint = None;

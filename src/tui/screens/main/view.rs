@@ -79,8 +79,9 @@ pub fn layout(area: Rect, unfolded: bool) -> Layout {
     Layout { form, right, wide, answers, limits, index, charts, eye, traces, signs }
 }
 
-/// Draws the screen; `nodes` says whether the curves are those of node forces.
-pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
+/// Draws the screen; `nodes` says whether the curves are those of node forces, `front` whether the
+/// dial looks at the eye from the front.
+pub fn draw((pane, nodes, front): (usize, bool, bool), model: &AppModel, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
     let parts = layout(area, model.form.advanced);
     form::draw(pane, model, &mut sheet.at(parts.form));
@@ -98,7 +99,7 @@ pub fn draw((pane, nodes): (usize, bool), model: &AppModel, sheet: &mut Sheet) {
         line_before(parts.answers, 2, sheet);
         traces::charts(model, shown, &mut sheet.at(parts.charts));
     }
-    eye(model, shown, pane == DIAL, parts.eye, sheet);
+    eye(model, shown, (pane == DIAL, front), parts.eye, sheet);
     traces::draw(model, (shown, nodes), &mut sheet.at(parts.traces));
     let each = if parts.wide { 2 } else { 1 };
     score::answers(model, shown, each, &mut sheet.at(parts.answers));
@@ -123,12 +124,19 @@ fn waiting(model: &AppModel, sheet: &mut Sheet) {
     sheet.put_wrapped((1, 1), &text, style);
 }
 
-fn eye(model: &AppModel, shown: &ShownAnswer, on_dial: bool, picture: Rect, sheet: &mut Sheet) {
+fn eye(
+    model: &AppModel,
+    shown: &ShownAnswer,
+    (on_dial, front): (bool, bool),
+    picture: Rect,
+    sheet: &mut Sheet,
+) {
     let theme = sheet.theme;
     let aiming = on_dial && model.overlay.is_none();
     let time = model.time();
     let plain = EyePicture::of(model, shown, time);
-    let drawn = EyePicture { blow: Some(&model.work.scenario), aiming, ..plain };
+    let front = on_dial && front && shown.has_front();
+    let drawn = EyePicture { blow: Some(&model.work.scenario), aiming, front, ..plain };
     drawn.draw(drawn_in(picture, drawn.detail), sheet.buffer);
     if drawn.detail == MeshDetail::Anatomy {
         return;

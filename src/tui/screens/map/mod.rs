@@ -6,7 +6,7 @@ use crate::many::map::{Grid, SIDE, Span, fill};
 use crate::many::sweep::spaced;
 use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::fields::{FIELDS, Field, find};
-use crate::scenario::{Scenario, doubt::number, set};
+use crate::scenario::{Scenario, direction::HOURS, doubt::number, set};
 use crate::tui::keys::press::{DOWN, ENTER, LEFT, RIGHT, UP, c};
 use crate::tui::keys::press::{SHIFT_DOWN, SHIFT_LEFT, SHIFT_RIGHT, SHIFT_UP};
 use crate::tui::request::{Report, TaskQuestion};
@@ -168,6 +168,9 @@ pub fn rounded(value: f64) -> f64 {
 /// A range round the present value, within the field's bounds.
 fn span(field: &'static Field, scenario: &Scenario, reach: f64) -> Option<Span> {
     let (value, bounds) = number(field, scenario)?;
+    if field.path.ends_with("_clock") {
+        return Some(Span { field, from: 0.0, to: HOURS });
+    }
     // No farther than the model is trusted, unless the scenario itself goes nearly there.
     let trusted = scenario.trusted_angle_deg().filter(|_| field.path == ANGLE);
     let share = trusted.map(|trusted| trusted / value.abs());
