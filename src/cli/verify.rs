@@ -9,6 +9,7 @@ use serde_json::Value;
 use crate::cli::{CliError, arguments::whole, example, progress::shown};
 use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
 use crate::run::threads;
+use crate::verify::clinics::felt::{self, FeltRow};
 use crate::verify::{claims::FINEST_CHECKED, claims::Study, claims::check, fit::fit, hard_cases};
 use crate::verify::{hard_cases::CaseVerdict, measured_orbit::InOrbit, rerun::rerun_all};
 use crate::verify::{scenes::MAX_SCENES, scenes::Scenes, tissue_fit::fit_tissues};
@@ -72,6 +73,10 @@ enum VerifyCommand {
         /// Which fit
         #[arg(default_value = "injuries")]
         what: WhichFit,
+        /// Compute again what tissues felt of every kind of object, and print it as the table that
+        /// the fit reads: some half an hour of two cores
+        #[arg(long)]
+        rerun: bool,
     },
 }
 
@@ -125,11 +130,15 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
             let rerun = rayon::join(rerun_all, InOrbit::run);
             return print(args, &rerun, experiments::json, experiments::text, out);
         }
-        VerifyCommand::Fit { what: WhichFit::Injuries } => {
+        VerifyCommand::Fit { rerun: true, .. } => {
+            let rows = shown(|progress| felt::rerun(|share| progress.show("computing", share)));
+            return felt_table(&rows, out);
+        }
+        VerifyCommand::Fit { what: WhichFit::Injuries, .. } => {
             let fits = shown(|progress| fit_tissues(|share| progress.show("fitting", share)));
             return print(args, &fits, tissue_fit::json, tissue_fit::text, out);
         }
-        VerifyCommand::Fit { what: WhichFit::Fat } => {
+        VerifyCommand::Fit { what: WhichFit::Fat, .. } => {
             let fit = shown(|progress| fit(|share| progress.show("fitting", share)));
             return print(args, &fit, experiments::fit_json, experiments::fit_text, out);
         }
@@ -148,6 +157,14 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         })
     })?;
     print(args, &found, claims::json, claims::text, out)
+}
+
+/// Prints what tissues felt as CSV.
+fn felt_table(rows: &[FeltRow], out: &mut dyn Write) -> Result<(), CliError> {
+    let mut table = csv::Writer::from_writer(out);
+    let written = rows.iter().try_for_each(|row| table.serialize(row));
+    written.map_err(io::Error::from)?;
+    Ok(table.flush()?)
 }
 
 fn print<T: ?Sized>(

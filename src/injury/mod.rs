@@ -4,10 +4,14 @@
 //! is one, of an injury by what its own tissue felt.
 
 mod blow;
+pub mod clinic;
 mod energy;
 mod equivalent;
 mod index;
 mod kind;
+mod object_kind;
+mod outcomes;
+pub mod points;
 mod risk;
 mod tissue;
 mod words;
@@ -17,6 +21,8 @@ pub use crate::injury::energy::{CURVES, EnergyCurve};
 pub use crate::injury::equivalent::{A_BB, BBS, Equivalent, equivalent};
 pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::kind::{Injury, PerInjury};
+pub use crate::injury::object_kind::{Features, KINDS, ObjectKind, apart_squared, features};
+pub use crate::injury::outcomes::{Outcome, counted, outcomes};
 pub use crate::injury::risk::{Known, Risk, in_short};
 pub use crate::injury::tissue::TissueCurve;
 pub use crate::injury::words::{AT_LEAST, BURST, SIGNS, UNSAID, gravity, span, whole};

@@ -15,6 +15,17 @@ pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
 /// The farthest beside the middle of the globe that an object may be aimed, in mm.
 pub const FARTHEST_AIM_MM: f64 = 10.0;
 
+/// Directions as hits come where nobody knows them, equally likely: angle in degrees and the hour of
+/// it, offset in mm and the hour of that, of a right eye. Judged: nobody measured how eyes are hit.
+pub const AS_HITS_COME: [[f64; 4]; 6] = [
+    [0.0, 12.0, 0.0, 12.0],
+    [12.0, 9.0, 2.0, 9.0],
+    [20.0, 7.5, 4.0, 6.0],
+    [15.0, 4.0, 3.0, 3.0],
+    [25.0, 10.0, 5.0, 11.0],
+    [30.0, 8.0, 6.0, 8.0],
+];
+
 /// Which eye of a person.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Side {
@@ -122,6 +133,13 @@ impl Scenario {
 }
 
 impl Projectile {
+    /// Comes from one of [`AS_HITS_COME`], at a right eye or mirrored at a left one.
+    pub fn turn_to(&mut self, side: Side, [angle_deg, angle, offset_mm, offset]: [f64; 4]) {
+        let hour = |hour: f64| side.hour(Side::Right.azimuth(hour));
+        (self.angle_deg, self.angle_clock) = (angle_deg, hour(angle));
+        (self.offset_mm, self.offset_clock) = (offset_mm, hour(offset));
+    }
+
     /// Whether it flies along the eye's own axis.
     pub fn is_straight_on(&self) -> bool {
         self.angle_deg == 0.0 && self.offset_mm == 0.0

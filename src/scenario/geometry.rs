@@ -2,7 +2,7 @@
 //!
 //! Straight on, a half section turned about its axis is the whole. A blow from the side on a round
 //! support has one mirror plane, so half of the eye in three dimensions is the whole; a measured
-//! orbit has none. Straight on, bone is a mean orbit unless [`Geometry::Full`] is asked for.
+//! orbit has none. An object wide enough to meet bone meets the measured one from every side.
 
 use crate::scenario::direction::{STEEPEST_OBJECT_DEG, upper};
 use crate::scenario::{FINEST_LEVEL, FINEST_PHYSIOLOGICAL_LEVEL, Impact, Model, Projectile};
@@ -31,6 +31,9 @@ impl Geometry {
     }
 }
 
+/// Diameter up to which an object straight on meets no bone in any orbit that was measured, in mm.
+const CLEARS_BONE_MM: f64 = 32.0;
+
 /// The finest level of the eye in three dimensions.
 pub const FINEST_SPATIAL_LEVEL: u32 = 3;
 
@@ -55,7 +58,8 @@ impl Scenario {
             return Some(self.numerics.geometry);
         }
         let Some(projectile) = self.projectile() else { return Some(Geometry::Axisymmetric) };
-        Some(if projectile.is_straight_on() {
+        let meets_bone = model.support == Support::Orbit && projectile.diameter_mm > CLEARS_BONE_MM;
+        Some(if projectile.is_straight_on() && !meets_bone {
             Geometry::Axisymmetric
         } else if model.support != Support::Orbit && projectile.has_mirror_plane() {
             Geometry::Half
@@ -156,9 +160,11 @@ mod tests {
         let both = [angle, gelatin, aside[0], aside[1]];
         assert_eq!(of("bb-62", &both), Some(Geometry::Full));
         assert_eq!(of("bb-62", &both[1..]), Some(Geometry::Half));
-        assert_eq!(of("squash-ball", &[]), Some(Geometry::Axisymmetric));
-        let forced = ("numerics.geometry", "Full");
-        assert_eq!(of("squash-ball", &[forced]), Some(Geometry::Full));
+        assert_eq!(of("squash-ball", &[]), Some(Geometry::Full));
+        assert_eq!(of("squash-ball", &[gelatin]), Some(Geometry::Axisymmetric));
+        assert_eq!(of("champagne-cork", &[]), Some(Geometry::Axisymmetric));
+        let round = ("numerics.geometry", "Axisymmetric");
+        assert_eq!(of("squash-ball", &[round]), Some(Geometry::Axisymmetric));
     }
 
     #[test]

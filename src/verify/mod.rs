@@ -1,6 +1,7 @@
 //! Whether what is claimed holds: the program against references, models against experiments.
 
 pub mod claims;
+pub mod clinics;
 pub mod experiments;
 pub mod fit;
 pub mod hard_cases;

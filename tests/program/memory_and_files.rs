@@ -124,7 +124,7 @@ fn an_interrupted_export_leaves_no_file_and_a_killed_one_goes_at_the_next() {
     let target = folder.path().join("frames.csv");
     let start = || {
         let mut command = Command::new(env!("CARGO_BIN_EXE_contrecoup"));
-        let arguments = ["export", "paper-300n", "--level=6", "--every-us=1", "--frames"];
+        let arguments = ["export", "paper-300n", "--level=8", "--every-us=1", "--frames"];
         command.args(arguments).arg(&target).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
         let begun = Instant::now();

@@ -158,7 +158,8 @@ impl EyeModel for SpatialCase {
         let run = run(&self.eye, &self.blow, window, steps, keep, watch);
         let run = run.map_err(|stop| self.refused(stop))?;
         let extremes = run.extremes;
-        let told = axisymmetric::readings::told(run, &extremes.common);
+        let mut told = axisymmetric::readings::told(run, &extremes.common);
+        readings::over_the_clock(&mut told.readings, &extremes);
         Ok(Run {
             details: readings::details(self, &extremes, told.simulated),
             flags: flags(self, &extremes, &told.readings, told.simulated),

@@ -2,11 +2,31 @@
 
 use crate::models::axisymmetric::readings::common_details;
 use crate::models::spatial::{case::SpatialCase, recording::results::Extremes};
+use crate::run::kept::Peak;
 use crate::run::model::{Detail, Shown};
 use crate::run::quantity::Quantity;
+use crate::run::readings::Readings;
 use crate::run::sectors::{HOURS, Sectors};
 use crate::scenario::direction::place as place_name;
 use std::f64::consts::{PI, TAU};
+
+/// The readings of a run, measures of tissues as the mean over the clock of the most at each hour.
+/// Straight on that is what the axisymmetric eye reads, where the largest over the clock jumps to 1.3
+/// to 2 times as much as soon as the blow leaves the axis. Its time is that of the largest.
+pub(crate) fn over_the_clock(readings: &mut Readings, e: &Extremes) {
+    let sectors = &e.sectors;
+    let hours: [(Quantity, &[f64]); 5] = [
+        (Quantity::EquatorStretch, &sectors.equator),
+        (Quantity::BackStretch, &sectors.back),
+        (Quantity::EdgeGrowth, &sectors.edge),
+        (Quantity::LensPull, &sectors.lens),
+        (Quantity::IrisPull, &sectors.iris),
+    ];
+    for ((of, hours), peak) in hours.into_iter().zip(e.common.tissue) {
+        let value = hours.iter().sum::<f64>() / hours.len() as f64;
+        readings[of] = Some(Peak { value, ..peak }.into());
+    }
+}
 
 /// What peaks in this last share of a run may not have come to its peak.
 const LAST: f64 = 0.02;
