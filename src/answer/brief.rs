@@ -9,8 +9,9 @@
 //! the edges of a pulse in a soft one. So a run among many may take up to 0.95 of the limit, but no
 //! more than a cap, which comes from the comparisons of a few runs.
 
+use crate::answer::directions::other_directions;
 use crate::answer::{compiled::Compiled, results::Results, solve::solve_by};
-use crate::injury::PerInjury;
+use crate::injury::{Injury, PerInjury, told};
 use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
 use crate::run::{flags::FlagKind, kept::Keep, model::Run, plan::Plan, raised::of_motion};
 use crate::run::{refusal::Refusal, watch::Watch};
@@ -84,7 +85,8 @@ fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, 
     Ok(plan)
 }
 
-/// Runs a scenario once, with steps up to `cap`, in s, or else the automatic ones.
+/// Runs a scenario once, with steps up to `cap`, in s, or else the automatic ones. Risks are means
+/// over the directions that the blow may have come from.
 ///
 /// # Errors
 /// As for any run.
@@ -96,7 +98,16 @@ pub fn single(
     let case = Compiled::new(scenario);
     let plan = plan(scenario, &case, cap)?;
     let run = case.run(&plan, Keep::default(), watch)?;
-    Ok(brief(&case, &run))
+    let mut answer = brief(&case, &run);
+    let others = other_directions(scenario, watch)?;
+    if let (Some(own), Some(blow), false) = (case.felt(&run), &case.blow, others.is_empty()) {
+        for injury in Injury::ALL {
+            let all = std::iter::once(&own).chain(&others);
+            let sum: f64 = all.map(|felt| told(blow, *injury, felt)).sum();
+            answer.values[injury.result()] = Some(1e2 * sum / (1 + others.len()) as f64);
+        }
+    }
+    Ok(answer)
 }
 
 /// Runs a scenario with its step error, and again with shorter steps while that is too large.
@@ -121,10 +132,15 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
             answer = solve_by(answer.case, plan, watch)?;
         }
     }
-    let ranges: Vec<(f64, f64)> = answer.risks().iter().map(|risk| risk.range).collect();
+    answer.others = other_directions(scenario, watch)?;
+    let range = |injury: &Injury| {
+        let hit = answer.risk(*injury)?.hit;
+        Some((hit.low, hit.high))
+    };
+    let ranges: Option<Vec<(f64, f64)>> = Injury::ALL.iter().map(range).collect();
     let stated = answer.errors.time_step_percent();
     Ok(BriefAnswer {
-        ranges: ranges.try_into().ok(),
+        ranges: ranges.and_then(|ranges| ranges.try_into().ok()),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
         check: stated.map(|last| Check { first, last, tried, good_step }),

@@ -1,7 +1,7 @@
 //! A scenario ready to be run: the eye of its model, and what its risks need.
 
 use crate::answer::results::Results;
-use crate::injury::{Blow, DamageIndex, Injury};
+use crate::injury::{Blow, DamageIndex, Felt, Injury, PerInjury, told};
 use crate::models;
 use crate::run::model::{EyeModel, Run};
 use crate::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -15,8 +15,9 @@ use std::sync::Arc;
 pub struct Compiled {
     /// The eye and what hits it.
     pub eye: Arc<dyn EyeModel>,
-    /// What the scenario says for its risks; the rest are readings of a run.
-    pub blow: Blow,
+    /// What the scenario says for its risks; the rest are readings of a run. None of an eye without
+    /// tissues.
+    pub blow: Option<Blow>,
 }
 
 impl Compiled {
@@ -27,7 +28,7 @@ impl Compiled {
 
     /// A scenario with an eye that somebody else compiled of it.
     pub fn with(eye: Arc<dyn EyeModel>, scenario: &Scenario) -> Self {
-        Self { eye, blow: Blow::of(scenario) }
+        Self { eye, blow: Blow::of_tissues(scenario) }
     }
 
     /// This scenario on the mesh of `level`, which may be finer than a scenario may ask for.
@@ -54,11 +55,26 @@ impl Compiled {
         let value = match Injury::of(of) {
             // An eye that was not hit is not hurt.
             Some(_) if run.missed => 0.0,
-            Some(injury) => injury.risk(&self.blow, run.readings.value(injury.measure())?),
+            Some(injury) => told(self.blow.as_ref()?, injury, &self.felt(run)?),
             None if of == Quantity::Damage => DamageIndex::of(&run.readings).damage(),
             None => run.readings.value(of)?,
         };
         Some(value * of.row().factor)
+    }
+
+    /// What the tissues felt in a run of this scenario, as if its numbers had no errors.
+    pub fn felt(&self, run: &Run) -> Option<Felt> {
+        let way_in = self.blow.as_ref()?.way_in;
+        if run.missed {
+            // An eye that was not hit is not hurt.
+            let measures = PerInjury::default();
+            return Some(Felt { measures, errors: measures, way_in: None, weight: 1.0 });
+        }
+        let mut measures = PerInjury::default();
+        for (measure, injury) in measures.iter_mut().zip(Injury::ALL) {
+            *measure = run.readings.value(injury.measure())?;
+        }
+        Some(Felt { measures, errors: PerInjury::default(), way_in, weight: 1.0 })
     }
 
     /// Every result of a run of this scenario.

@@ -24,7 +24,7 @@ use crate::models::rules;
 use crate::run::flags::{Flag, FlagKind};
 use crate::run::watch::Watch;
 use crate::run::{kept::Keep, ordered::until, quantity::Family, refusal::Refusal, threads::beside};
-use crate::scenario::Scenario;
+use crate::scenario::{Model, Scenario};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Multiplies the difference of the two finer levels.
@@ -175,6 +175,12 @@ impl Answer {
         self.errors.limits = Some(mesh.limits);
         self.flags.extend(mesh.flag);
     }
+}
+
+/// Whether answers to a scenario tell their mesh error unasked: those of the paper's springs, whose
+/// mesh is what limits them most. Points of 50 % of an eye of cells were fitted on its own mesh.
+pub fn is_asked(scenario: &Scenario) -> bool {
+    scenario.model == Model::Paper
 }
 
 /// Estimates the mesh error of `answer` and adds it.

@@ -3,8 +3,7 @@
 pub mod brief;
 pub mod choose;
 pub mod compiled;
-pub mod complete;
-pub mod input_doubt;
+pub mod directions;
 pub mod mesh_error;
 pub mod results;
 pub mod solve;

@@ -1,6 +1,5 @@
 //! The results of an answer, or their errors, and what is computed over all of them.
 
-use crate::injury::PerInjury;
 use crate::run::quantity::{Family, Leads, Quantity};
 use crate::run::readings::PerQuantity;
 
@@ -93,15 +92,6 @@ impl Results {
 fn largest(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f64)> {
     let keeps = |worst: f64, next: f64| next <= worst || worst.is_nan();
     errors.reduce(|worst, next| if keeps(worst.1, next.1) { worst } else { next })
-}
-
-/// Standard deviations that what is not known of the inputs brings.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct InputDoubt {
-    /// Of log10 of the measure of each injury.
-    pub measures: PerInjury<f64>,
-    /// Of log10 of the object's energy over its area.
-    pub energy: f64,
 }
 
 /// What a result tends to as the mesh gets finer.

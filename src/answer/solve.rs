@@ -4,9 +4,10 @@
 //! [`crate::run::rules`], the second run and all numbers with each model.
 
 use crate::answer::compiled::Compiled;
-use crate::answer::results::{InputDoubt, Limits, Results};
+use crate::answer::directions::other_directions;
+use crate::answer::results::{Limits, Results};
 use crate::answer::validity::{Spoiled, spoiled};
-use crate::injury::{DamageIndex, Injury, Known, Risk};
+use crate::injury::{DamageIndex, Felt, Injury, Risk, assess};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
 use crate::run::raised::{TwoRuns, of_motion};
@@ -40,12 +41,6 @@ impl Errors {
         Some(self.mesh.as_ref()?.worst()?.1)
     }
 
-    /// The share of a result by which step and mesh may make it wrong, as far as they are known.
-    pub fn share(&self, of: Quantity) -> f64 {
-        let mesh = self.mesh.as_ref().and_then(|mesh| mesh[of]);
-        0.01 * (self.time_step[of].unwrap_or(0.0) + mesh.unwrap_or(0.0))
-    }
-
     /// The results that have no limit as the mesh gets finer, or none that could be seen.
     pub fn without_limit(&self) -> impl Iterator<Item = Quantity> {
         let mesh = self.mesh.as_ref();
@@ -53,9 +48,6 @@ impl Errors {
         self.time_step.present().map(|(of, _)| of).filter(unknown)
     }
 }
-
-/// Of an eye that is pressed flat, a range that leaves out no more at each end says nothing.
-const OPEN: f64 = 0.05;
 
 /// What a run that ended too early says of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,8 +73,8 @@ pub struct Answer {
     pub run: Run,
     /// How far the results may be off.
     pub errors: Errors,
-    /// What the inputs are not known to, once it has been estimated.
-    pub inputs: Option<InputDoubt>,
+    /// What tissues felt of the other directions that the blow may have come from.
+    pub others: Vec<Felt>,
     /// What limits the results: the flags of the run, and those that follow from the errors.
     pub flags: Vec<Flag>,
     /// Springs or cells computed in the run.
@@ -96,12 +88,15 @@ pub struct Answer {
 impl Answer {
     /// Every result.
     pub fn results(&self) -> Results {
-        self.case.results(&self.run)
+        Results::from_fn(|of| self.result(of))
     }
 
-    /// One result in its unit, if the scene has it.
+    /// One result in its unit, if the scene has it; a risk over all directions.
     pub fn result(&self, of: Quantity) -> Option<f64> {
-        self.case.result(of, &self.run)
+        match Injury::of(of).filter(|_| !self.others.is_empty()) {
+            Some(injury) => Some(1e2 * self.risk(injury)?.hit.told),
+            None => self.case.result(of, &self.run),
+        }
     }
 
     /// The paper's index and its parts.
@@ -134,53 +129,54 @@ impl Answer {
         spoiled(&self.flags, self.case.rules())
     }
 
-    /// The risk of each injury, the gravest first; none where [`Self::silence`] says why.
+    /// The risk of each injury: a globe first, as it must not be missed, then by what is told; none
+    /// where [`Self::silence`] says why.
     pub fn risks(&self) -> Vec<Risk> {
-        Injury::ALL.iter().filter_map(|injury| self.risk(*injury)).collect()
+        let mut risks: Vec<Risk> = Injury::ALL.iter().filter_map(|i| self.risk(*i)).collect();
+        if let [_, rest @ ..] = &mut risks[..] {
+            rest.sort_by(|a, b| b.share().told.total_cmp(&a.share().told));
+        }
+        risks
     }
 
     /// The risk of one injury.
     pub fn risk(&self, injury: Injury) -> Option<Risk> {
-        let known = self.known(injury).filter(|_| !self.run.missed)?;
-        let mut risk = injury.assess(&self.case.blow, known);
-        let open = self.pressed_flat() && risk.range.0 < OPEN && risk.range.1 > 1.0 - OPEN;
-        if open || self.spoiled().is_some() {
-            // What was computed may be anything.
-            (risk.usable, risk.range, risk.at_least) = (false, (0.0, 1.0), false);
+        let felt = self.felt();
+        if felt.is_empty() || self.silence().is_some() {
+            return None;
         }
+        let blow = self.case.blow.as_ref()?;
+        let mut risk = assess(blow, injury, &felt, self.at_least(injury.measure()));
+        risk.usable = self.spoiled().is_none();
         Some(risk)
     }
 
-    /// What is known of the measure of an injury.
-    fn known(&self, injury: Injury) -> Option<Known> {
-        let measure = injury.measure();
-        let value = self.run.readings.value(measure)?;
-        let unknown = self.errors.mesh.is_some_and(|mesh| mesh[measure].is_none());
-        let mesh_unknown = if unknown { injury.curve().mesh_unknown } else { 0.0 };
-        let inputs = self.inputs.unwrap_or_default();
-        Some(Known {
-            value,
-            error: self.errors.share(measure) + mesh_unknown,
-            inputs: inputs.measures[injury as usize],
-            energy_inputs: inputs.energy,
-            cut: self.at_least(measure),
-        })
+    /// What the tissues felt, from each direction that the blow may have come from.
+    pub fn felt(&self) -> Vec<Felt> {
+        let Some(mut own) = self.case.felt(&self.run) else { return Vec::new() };
+        let errors = std::array::from_fn(|j| self.felt_error(Injury::ALL[j]));
+        own.errors = errors;
+        let others = self.others.iter().map(|felt| Felt { errors, ..*felt });
+        std::iter::once(own).chain(others).collect()
+    }
+
+    /// The share by which what a tissue felt may be wrong: by the step, and by a mesh other than the
+    /// one that the points of 50 % were fitted on.
+    fn felt_error(&self, injury: Injury) -> f64 {
+        let other_mesh = self.case.level() > 1 || self.pressed_flat();
+        let mesh = if other_mesh { injury.curve().mesh_unknown } else { 0.0 };
+        let step = self.errors.time_step[injury.measure()].unwrap_or(0.0);
+        libm::hypot(0.01 * step, mesh)
     }
 
     /// Why there are no risks, in one line; none where there are.
     pub fn silence(&self) -> Option<&'static str> {
-        if self.run.missed {
-            return Some("none: the object never touches the eye");
-        }
         let any = self.run.readings[Injury::GlobeRupture.measure()];
-        any.is_none().then_some(self.case.rules().silence)
-    }
-
-    /// What the ranges of the risks do not hold yet; empty where they hold all.
-    pub fn uncounted(&self) -> Vec<&'static str> {
-        let mesh = self.errors.mesh.is_none().then_some("the mesh");
-        let inputs = self.inputs.is_none().then_some("the inputs");
-        mesh.into_iter().chain(inputs).collect()
+        if any.is_none() && !self.run.missed {
+            return Some(self.case.rules().silence);
+        }
+        let missed = self.run.missed && self.others.is_empty();
+        missed.then_some("none: the object never touches the eye")
     }
 
     /// How a run that ended too early limits a result; none if it is final.
@@ -216,7 +212,11 @@ impl Answer {
 /// # Errors
 /// Refuses an unstable step, motion that leaves the finite numbers, and what the watch stops.
 pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
-    solve_case(Compiled::new(scenario), scenario, keep, watch)
+    let begun = Instant::now();
+    let mut answer = solve_case(Compiled::new(scenario), scenario, keep, watch)?;
+    answer.others = other_directions(scenario, watch)?;
+    answer.total_time = begun.elapsed();
+    Ok(answer)
 }
 
 /// Answers `case`, which was compiled from `scenario`.
@@ -355,7 +355,7 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         element_evaluations: run.cost.evaluations * case.elements_per_evaluation(),
         run,
         errors,
-        inputs: None,
+        others: Vec::new(),
         flags,
         solve_time: time,
         total_time,
@@ -389,7 +389,7 @@ pub(crate) mod tests {
         // What bounces takes energy along.
         assert_eq!(cut.cut(Quantity::Energy), Some(Cut::NotFinal));
         assert_eq!(cut.cut(Quantity::Damage), Some(Cut::NotFinal));
-        assert!(cut.risks()[0].at_least && !whole.risks()[0].at_least);
+        assert!(cut.risks()[0].cut && !whole.risks()[0].cut);
         // The pulse is over, its waves are not: what moves still grows, a force has had its peak.
         let paper = of("0.21", "paper-300n");
         assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));

@@ -12,9 +12,8 @@
 //! volume; drawn from the measurements the mesh would have nothing to hold it. Left out too:
 //! densities and correlations between tissues, for which no spread is published.
 
-use crate::injury::PerInjury;
 use crate::normal;
-use crate::scenario::fields::{Bounds, FIELDS, Field, Kind, Place};
+use crate::scenario::fields::{Bounds, FIELDS, Field};
 use crate::scenario::{Geometry, Model, Physiological, Rim, Scenario, Support, fields, set};
 use crate::scenario::{direction::HOURS, direction::Side, doubt::number};
 use std::f64::consts::PI;
@@ -63,18 +62,6 @@ impl Spread {
     }
 }
 
-/// Where the injury curves lie, which no scenario holds. Drawn where there are risks.
-pub static CURVES: Field = Field {
-    help: "Where the curves of risk lie, in standard deviations from where they are believed to",
-    path: "injury.curves",
-    label: "Injury curves",
-    unit: "",
-    kind: Kind::Number(
-        Bounds { min: -4.0, max: 4.0, fine: 0.1, coarse: 1.0 },
-        Place { get: |_| None, get_mut: |_| None },
-    ),
-};
-
 /// Every published spread.
 pub static SPREADS: &[Spread] = &[
     spread("eye.sclera_kpa", 2600.0, Shape::LogUniform(1e3, 30e3))
@@ -100,39 +87,6 @@ pub static SPREADS: &[Spread] = &[
         .by("290 Pa, long-term (Yoo 2011), to a third of 47 kPa (Power 2002)"),
     spread("model.fat_bulk_mpa", 0.40, Shape::LogUniform(0.20, 0.55))
         .by("fits published tests nearly as well as 0.40 (contrecoup verify fit)"),
-];
-
-/// How the points of 50 % of the injury curves go with what is not known of the eye: log10 of each
-/// over log10 of the input, below what the model takes and above it.
-///
-/// The curves were matched with the model's own eye (see `crate::verify::tissue_fit`, which finds
-/// these again): a softer wall would be softer under the tested objects too, so of a risk only what
-/// a blow feels more than those did is unknown. How eyes differ is in the curves themselves.
-pub static WITH_CURVES: [(&str, [PerInjury<f64>; 2]); 3] = [
-    (
-        "model.sclera_mpa",
-        [[-0.69, -0.42, -0.18, -0.25, -0.40, -0.02], [-0.61, -0.36, -0.27, -0.31, -0.25, -0.05]],
-    ),
-    (
-        "model.sclera_thickness",
-        [[-0.64, -0.31, -0.19, -0.26, -0.44, -0.03], [-0.57, -0.21, -0.22, -0.25, -0.24, -0.08]],
-    ),
-    (
-        "model.lens_shear_kpa",
-        [[0.00, 0.00, 0.00, -0.01, 0.00, 0.00], [-0.01, -0.02, -0.01, -0.05, 0.05, 0.00]],
-    ),
-];
-
-/// Inputs of which less is worse, or moves the measures more.
-const LESS_IS_WORSE: [&str; 8] = [
-    "impact.diameter_mm",
-    "impact.surface.modulus_mpa",
-    "model.sclera_mpa",
-    "model.sclera_thickness",
-    "model.cornea_mpa",
-    "model.cornea_thickness",
-    "model.fat_shear_kpa",
-    "model.fat_bulk_mpa",
 ];
 
 /// An input that is not known and that an ensemble draws.
@@ -189,40 +143,6 @@ impl UncertainInput {
             Shape::Normal(mean, sd) => normal::cut_off(mean, sd, self.bounds, u),
         };
         value.clamp(min, max)
-    }
-
-    /// The value one standard deviation from the scenario's, to the side on which it matters more.
-    pub fn one_off(&self) -> f64 {
-        let sign = if LESS_IS_WORSE.contains(&self.field.path) { -1.0 } else { 1.0 };
-        let (min, max) = self.bounds;
-        let off = match self.shape {
-            Shape::Normal(_, sd) if self.mirrored => self.nominal - sd,
-            Shape::Normal(_, sd) => self.nominal + sign * sd,
-            Shape::LogUniform(..) | Shape::Uniform(..) => self.value(normal::below(sign)),
-        };
-        off.clamp(min, max)
-    }
-
-    /// By how much log10 of each measure moves at the tested objects where the input has `value`;
-    /// not of what a person doubts, by which this eye differs from others.
-    pub fn moves_curves(&self, value: f64) -> PerInjury<f64> {
-        let mut published = WITH_CURVES.iter().filter(|_| self.source.is_some());
-        let Some((_, powers)) = published.find(|(path, _)| *path == self.field.path) else {
-            return PerInjury::default();
-        };
-        let powers = powers[usize::from(value > self.nominal)];
-        powers.map(|power| power * libm::log10(value / self.nominal))
-    }
-
-    /// Whether a run of it alone tells: not of the curves, nor of the hour of a straight blow.
-    pub(crate) fn is_run(&self) -> bool {
-        let unknown = is_clock(self.field) && matches!(self.shape, Shape::Uniform(..));
-        self.field.path != CURVES.path && !unknown
-    }
-
-    /// Whether it is a length of the orbit's rim.
-    pub(crate) fn is_of_bone(&self) -> bool {
-        self.field.path.starts_with(RIM)
     }
 
     /// Whether the scenario's value lies among the outermost twentieth of the draws to either side.
@@ -306,15 +226,7 @@ pub fn inputs(scenario: &Scenario) -> Vec<UncertainInput> {
             .filter(|input| input.nominal == spread.nominal)
     });
     let aimed = aim(scenario).into_iter().chain(rim(scenario));
-    let curves = (scenario.model != Model::Paper).then_some(UncertainInput {
-        field: &CURVES,
-        nominal: 0.0,
-        shape: Shape::Normal(0.0, 1.0),
-        bounds: (-4.0, 4.0),
-        mirrored: false,
-        source: Some("how far kinds of object and published figures disagree"),
-    });
-    doubted.chain(published).chain(aimed).chain(curves).collect()
+    doubted.chain(published).chain(aimed).collect()
 }
 
 #[cfg(test)]
@@ -362,8 +274,7 @@ mod tests {
     fn a_doubt_takes_the_place_of_what_is_published() {
         let mut scenario = Scenario::default();
         let (all, other) = (paths(&scenario).len(), paths(&with("model.")).len());
-        // Beside them stand the injury curves, which the Paper model has none of.
-        assert_eq!(all + other, SPREADS.len() + 1);
+        assert_eq!(all + other, SPREADS.len());
         set(&mut scenario, "impact.force_n", "300 ± 20").unwrap();
         set(&mut scenario, "eye.sclera_kpa", "2600 ± 0").unwrap();
         set(&mut scenario, "eye.lens_kpa", "100").unwrap();

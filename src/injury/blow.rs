@@ -1,95 +1,113 @@
-//! What of a scenario decides how its risks are read: the object's energy over its area, and how
-//! much the blow is like those that were tested.
-//!
-//! Tested were hard objects up to 11.2 mm wide, straight on. Such a blow at a human eye is what the
-//! published energy curves were measured with, so there they count (see [`crate::injury::risk`]).
-//! Their weight falls linearly to nothing up to 16 mm, 20 degrees from straight on, and between
-//! 100 and 10 `MPa` of the surface's modulus in its logarithm, so that no answer jumps.
+//! What of a scenario decides how its risks are read: how much its object is like those that were
+//! counted, whose eye it is, and what the person doubts.
 
-use crate::scenario::{Geometry, Scenario, Species, Support, Surface, direction::GLOBE_MM};
-use std::f64::consts::FRAC_PI_4;
+use crate::injury::kind::{Injury, PerInjury};
+use crate::injury::object_kind::{Features, KINDS, features};
+use crate::injury::outcomes::{Outcome, counted};
+use crate::injury::points::{self, Point};
+use crate::injury::way_in::{self, WayIn};
+use crate::scenario::{Model, Scenario, Species, Support};
+use libm::{hypot, log10};
 
-/// Diameters up to which objects were tested, and from which they count as unlike, in mm.
-const WIDTH_MM: (f64, f64) = (11.2, 16.0);
-/// The same of the angle from straight on, in degrees.
-const ANGLE_DEG: (f64, f64) = (10.0, 20.0);
-/// Decimal logarithms of the surface's modulus in `MPa`, from as hard as those tested to unlike.
-const HARDNESS: (f64, f64) = (2.0, 1.0);
-/// Energy over area from which small hard objects went into pigs' eyes, J/m2 (Marshall 2011).
-const GOES_IN: f64 = 43e3;
-/// Width of the orbit's opening, in mm.
-const ORBIT_MM: f64 = 40.0;
-/// Diameters up to which bone's shape does not matter straight on (a cork), and from which, in mm.
-const MEETS_BONE_MM: (f64, f64) = (32.0, 40.0);
-
-/// What of a scenario its risks are read with.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Blow {
-    /// Kinetic energy over the object's area, J/m2; none of a pulse.
-    pub energy: Option<f64>,
-    /// How much it is like the blows that were tested, 0 to 1.
-    pub tested: f64,
-    /// Why it is none of them, where it is not like them at all.
-    pub untested: &'static str,
-    /// How much wider the object is than any that was tested, 0 to 1.
-    pub wider: f64,
-    /// How far from straight on, 0 (to 10 degrees) to 1 (from 20), where places turn with the blow.
-    pub aslant: f64,
-    /// How much its injuries hang on bone that is taken as a round rim, 0 to 1.
-    pub round_rim: f64,
-    /// Whether such an object was seen to go into the eye.
-    pub goes_in: bool,
-    /// Whether it is an inflated ball wider than the orbit, which sucks as it leaves.
-    pub sucks: bool,
+/// Whose eyes an answer speaks of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Population {
+    /// Living eyes in their orbits.
+    #[default]
+    Living,
+    /// Eyes of donors and animals in gelatin or free, as in laboratories.
+    Laboratory,
 }
 
-/// From 0 at `from` linearly to 1 at `to`.
-fn ramp(value: f64, (from, to): (f64, f64)) -> f64 {
-    ((value - from) / (to - from)).clamp(0.0, 1.0)
+/// The square of how far apart a counted kind may be to stand beside an object.
+const NEAR_ENOUGH: f64 = 0.6;
+/// What a decade of speed beyond the usual adds to what is known: a deviation of log10.
+const PER_DECADE: f64 = 0.1;
+/// By how much log10 of the measures, and of the energy, go with log10 of an input of the object:
+/// the first read off the kinds' own tables. What an object is made of stands in its kind's point.
+const POWERS: [(&str, f64, f64); 3] = [
+    ("impact.speed_m_s", 1.2, 2.0),
+    ("impact.mass_g", 0.6, 1.0),
+    ("impact.diameter_mm", 0.8, 2.0),
+];
+
+/// What of a scenario its risks are read with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blow {
+    /// What makes its object like others; none of a pulse.
+    pub features: Option<Features>,
+    /// Whose eye it is.
+    pub population: Population,
+    /// Points of 50 % in that population.
+    pub points: PerInjury<Point>,
+    /// Those of laboratories, where the eye is a living one.
+    pub laboratory: Option<PerInjury<Point>>,
+    /// Whether it may go in.
+    pub way_in: Option<WayIn>,
+    /// What of log10 of a measure the person doubts, and of log10 of its energy.
+    pub doubted: (f64, f64),
+    /// What was counted of a kind near enough.
+    pub counted: PerInjury<Option<&'static Outcome>>,
+    /// That kind, as it is named for people.
+    pub near: Option<&'static str>,
 }
 
 impl Blow {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
-        // Both its angle and where on the globe it lands.
-        let offset_mm = scenario.projectile().map_or(0.0, |object| object.offset_mm);
-        let beside = libm::asin((offset_mm / GLOBE_MM).min(1.0));
-        let off_axis = scenario.impact.angle_deg().abs() + beside.to_degrees();
-        let off_axis = ramp(off_axis, ANGLE_DEG);
-        let spatial = scenario.is_spatial();
-        let aslant = if spatial { 0.0 } else { off_axis };
-        let Some(object) = scenario.projectile() else {
-            // Nobody has pushed an eye with a given force.
-            return Self { wider: 1.0, aslant, ..Self::default() };
-        };
-        let (diameter, speed) = (object.diameter_m(), object.speed_m_s);
-        let energy = 0.5 * object.mass_kg() * speed * speed / (FRAC_PI_4 * diameter * diameter);
-        let wider = ramp(object.diameter_mm, WIDTH_MM);
-        let softness = match object.surface {
-            Surface::Hard => 0.0,
-            Surface::Elastic { modulus_mpa } => ramp(libm::log10(modulus_mpa), HARDNESS),
-            Surface::Inflated { .. } | Surface::Splashing => 1.0,
-        };
-        let round = scenario.geometry() == Some(Geometry::Axisymmetric)
-            && scenario.physiological().is_some_and(|model| model.support == Support::Orbit);
-        let human = scenario.model.species() == Species::Human;
-        let untested = match (human, off_axis < 1.0) {
-            (false, _) => "those count for human eyes alone",
-            (true, false) => "no such direction was tested",
-            (true, true) => "no such object was tested",
-        };
-        let inflated = matches!(object.surface, Surface::Inflated { .. });
+        let object = scenario.projectile();
+        let features = object.map(features);
+        let beyond = object
+            .zip(features.as_ref())
+            .map_or(0.0, |(object, of)| PER_DECADE * points::beyond_usual(of, object.speed_m_s));
+        let mut points = points::points(features.as_ref());
+        for point in &mut points {
+            point.known = hypot(point.known, beyond);
+        }
+        let living = scenario.model.species() == Species::Human
+            && scenario.physiological().is_none_or(|model| model.support == Support::Orbit);
+        let population = if living { Population::Living } else { Population::Laboratory };
+        let in_laboratory = points::in_laboratory(&points);
+        let near = features.as_ref().map(points::nearest);
+        let near = near.filter(|(_, apart)| living && *apart < NEAR_ENOUGH).map(|(kind, _)| kind);
         Self {
-            energy: Some(energy),
-            tested: if human { (1.0 - wider) * (1.0 - off_axis) * (1.0 - softness) } else { 0.0 },
-            untested,
-            wider,
-            aslant,
-            round_rim: if round { ramp(object.diameter_mm, MEETS_BONE_MM) } else { 0.0 },
-            goes_in: wider == 0.0 && softness == 0.0 && energy >= GOES_IN,
-            sucks: inflated && object.diameter_mm > ORBIT_MM,
+            features,
+            population,
+            points: if living { points } else { in_laboratory },
+            laboratory: living.then_some(in_laboratory),
+            way_in: object.and_then(WayIn::of),
+            doubted: doubted(scenario),
+            counted: near.map_or_else(Default::default, counted),
+            near: near.map(|kind| KINDS[kind].name),
         }
     }
+
+    /// The one of a scenario; none of the Paper model, which has no tissues to read.
+    pub fn of_tissues(scenario: &Scenario) -> Option<Self> {
+        (scenario.model != Model::Paper).then(|| Self::of(scenario))
+    }
+
+    /// Of which energy over area the object brings how many spreads more, for one deviation of doubt.
+    pub(super) fn doubted_way_in(&self) -> f64 {
+        self.doubted.1 / way_in::SPREAD
+    }
+
+    /// The point of an injury.
+    pub fn point(&self, injury: Injury) -> &Point {
+        &self.points[injury as usize]
+    }
+}
+
+/// Deviations of log10 of measures and of energy by what a person doubts of the object.
+fn doubted(scenario: &Scenario) -> (f64, f64) {
+    let Some(object) = scenario.projectile() else { return (0.0, 0.0) };
+    let values = [object.speed_m_s, object.mass_g, object.diameter_mm];
+    let each = POWERS.iter().zip(values).map(|((path, measure, energy), value)| {
+        let doubt = scenario.doubt.get(*path).copied().unwrap_or_default();
+        let off = log10(1.0 + doubt / value);
+        (measure * off, energy * off)
+    });
+    each.fold((0.0, 0.0), |sum, each| (hypot(sum.0, each.0), hypot(sum.1, each.1)))
 }
 
 #[cfg(test)]
@@ -97,28 +115,23 @@ mod tests {
     use super::*;
     use crate::scenario::library::tests::preset;
 
-    fn of(name: &str, changes: &[(&str, &str)]) -> Blow {
-        Blow::of(&preset(name, changes))
+    #[test]
+    fn an_object_is_read_beside_its_likes_and_an_eye_in_gelatin_beside_those_of_laboratories() {
+        let squash = Blow::of(&preset("squash-ball", &[]));
+        assert_eq!((squash.near, squash.population), (Some("squash balls"), Population::Living));
+        assert_eq!(squash.counted[Injury::Hyphema as usize].unwrap().count(), "12 of 71");
+        let held = Blow::of(&preset("squash-ball", &[("model.support", "Gelatin")]));
+        assert_eq!((held.population, held.laboratory, held.near), (Population::Laboratory, None, None));
+        assert_eq!(Some(held.points), squash.laboratory);
+        assert_eq!(Blow::of(&preset("fist", &[])).near, None);
     }
 
     #[test]
-    fn a_bb_has_its_known_energy_and_is_what_was_tested() {
-        let bb = of("bb-56", &[]);
-        assert!((bb.energy.unwrap() / 34.0e3 - 1.0).abs() < 1e-2);
-        assert_eq!((bb.tested, bb.wider, bb.aslant), (1.0, 0.0, 0.0));
-        assert!(!bb.goes_in && of("bb-92", &[]).goes_in);
-        assert_eq!(of("bb-56", &[("model.species", "Pig")]).tested, 0.0);
-    }
-
-    #[test]
-    fn what_is_wide_soft_or_from_the_side_is_not() {
-        let squash = of("squash-ball", &[]);
-        assert_eq!((squash.tested, squash.wider), (0.0, 1.0));
-        assert!(!squash.sucks && of("soccer-ball", &[]).sucks);
-        let turned = ("numerics.geometry", "Axisymmetric");
-        let half = of("bb-56", &[("impact.angle_deg", "15"), turned]);
-        assert_eq!((half.tested, half.aslant), (0.5, 0.5));
-        let wide = of("bb-56", &[("impact.diameter_mm", "13.6")]);
-        assert!((wide.tested - 0.5).abs() < 1e-12);
+    fn a_doubted_speed_widens_and_what_flies_faster_than_its_likes_is_less_known() {
+        let of = |changes: &[(&str, &str)]| Blow::of(&preset("bb-62", changes));
+        let (sure, unsure) = (of(&[]), of(&[("impact.speed_m_s", "62.5 ± 10")]));
+        assert!(unsure.doubted.0 > sure.doubted.0 && unsure.doubted.1 > sure.doubted.1);
+        let fast = of(&[("impact.speed_m_s", "199")]);
+        assert!(fast.points.iter().zip(&sure.points).all(|(fast, sure)| fast.known >= sure.known));
     }
 }

@@ -1,4 +1,4 @@
-//! Published curves of risk against normalized energy: kinetic energy over the area pi d^2/4.
+//! Published curves of risk in laboratories against normalized energy: kinetic energy over the area pi d^2/4.
 //!
 //! Weibull, R = 1 - exp(-ln 2 (x/x50)^k): no energy, no risk. The abstract 2394472 gives the risks
 //! at two energies, which fix x50 and k (a logistic through the same points has its 50 % at 34.2,
@@ -6,15 +6,10 @@
 //! their 50 % alone: their slope is assumed, k = 3.3, as steep at 50 % as a logistic whose risk of
 //! nothing is 1 %.
 //!
-//! Where several published curves of human eyes count for one injury, the mean of their log x50 and
-//! that of their 1/k, which their spread is in proportion to, make one: a slope from 26 eyes that
-//! rises from 24 to 94 % within 7 kJ/m2 would put the lens below the bursting globe at low
-//! energies.
-//!
 //! Left out: predicted risks against pressure of water, and limits of force on synthetic eyes.
 
 use crate::injury::kind::Injury;
-use libm::{exp, expm1, log, pow};
+use libm::{expm1, pow};
 
 /// A published curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,8 +22,6 @@ pub struct EnergyCurve {
     pub steepness: f64,
     /// Whether that was published; it is assumed otherwise.
     pub slope_known: bool,
-    /// Whether it counts for small hard blows: not of the retina (thin data), nor of pigs bursting.
-    pub counts: bool,
     /// Authors, year, journal.
     pub source: &'static str,
     /// Whose eyes were hit, and with what.
@@ -39,7 +32,7 @@ pub struct EnergyCurve {
 const ASSUMED: f64 = 3.3;
 
 /// A curve of the abstract, which publishes its slope, or else of Duma, whose is assumed.
-const fn curve(injury: Injury, half: f64, slope: Option<f64>, counts: bool) -> EnergyCurve {
+const fn curve(injury: Injury, half: f64, slope: Option<f64>) -> EnergyCurve {
     let (steepness, source, data) = match slope {
         Some(slope) => (
             slope,
@@ -52,33 +45,23 @@ const fn curve(injury: Injury, half: f64, slope: Option<f64>, counts: bool) -> E
             "species pooled; BBs, metal rods and foam at 2 to 122 m/s",
         ),
     };
-    EnergyCurve { injury, half, steepness, slope_known: slope.is_some(), counts, source, data }
+    EnergyCurve { injury, half, steepness, slope_known: slope.is_some(), source, data }
 }
 
 /// Every curve.
 pub static CURVES: &[EnergyCurve] = &[
-    curve(Injury::GlobeRupture, 35_784.0, Some(2.596), true),
-    curve(Injury::GlobeRupture, 23_771.0, None, false),
-    curve(Injury::RetinaBack, 30_351.0, None, false),
-    curve(Injury::RetinaFront, 30_351.0, None, false),
-    curve(Injury::LensDislocation, 21_672.0, Some(7.221), true),
-    curve(Injury::LensDislocation, 19_194.0, None, true),
-    curve(Injury::Hyphema, 12_682.0, Some(1.952), true),
-    curve(Injury::Hyphema, 20_188.0, None, true),
-    curve(Injury::CornealAbrasion, 1_503.0, None, true),
+    curve(Injury::GlobeRupture, 35_784.0, Some(2.596)),
+    curve(Injury::GlobeRupture, 23_771.0, None),
+    curve(Injury::RetinaBack, 30_351.0, None),
+    curve(Injury::RetinaFront, 30_351.0, None),
+    curve(Injury::LensDislocation, 21_672.0, Some(7.221)),
+    curve(Injury::LensDislocation, 19_194.0, None),
+    curve(Injury::Hyphema, 12_682.0, Some(1.952)),
+    curve(Injury::Hyphema, 20_188.0, None),
+    curve(Injury::CornealAbrasion, 1_503.0, None),
 ];
 
 impl EnergyCurve {
-    /// The risk of a small hard blow straight on, by the mean of the curves that count, if any.
-    pub fn counted(injury: Injury, energy: f64) -> Option<f64> {
-        let counting: Vec<&Self> = Self::of(injury).filter(|curve| curve.counts).collect();
-        let count = counting.len() as f64;
-        let half = counting.iter().map(|curve| log(curve.half)).sum::<f64>() / count;
-        let width = counting.iter().map(|curve| 1.0 / curve.steepness).sum::<f64>() / count;
-        let share = (log(energy) - half) / width;
-        (count > 0.0).then(|| -expm1(-std::f64::consts::LN_2 * exp(share)))
-    }
-
     /// The curves of an injury.
     pub fn of(injury: Injury) -> impl Iterator<Item = &'static Self> {
         CURVES.iter().filter(move |curve| curve.injury == injury)

@@ -60,6 +60,12 @@ impl Outcome {
         self.kinds.split('+').filter_map(place).collect()
     }
 
+    /// The first of the authors, as lists name a study.
+    pub fn first_author(&self) -> &str {
+        let end = self.study.find([',', '&', '(', ';', ':']).unwrap_or(self.study.len());
+        self.study[..end].trim().trim_end_matches(" et al.")
+    }
+
     /// What was seen, as in `12 of 71`.
     pub fn count(&self) -> String {
         format!("{} of {}", self.hurt, self.eyes)

@@ -1,25 +1,37 @@
-//! A range of risk in words and in whole percent.
+//! A risk in words and in whole percent.
+//!
+//! The words go by what is told and by the upper end: an upper end is what a physician acts on, and
+//! a low figure is no all-clear. Where laboratories tell more than clinics they go by the graver.
 
-use crate::injury::{kind::Injury, risk::Risk};
+use crate::injury::{kind::Injury, risk::Risk, risk::Share};
 
-/// Said of what may be more.
-pub const AT_LEAST: &str = "at least";
-/// Stands where a figure is not known or not worth saying: not a dash, which reads as none.
+/// Stands where a figure is not known: not a dash, which reads as none.
 pub const UNSAID: &str = "?";
-/// Said where rupture is as likely as not.
-pub const BURST: &str = "a burst globe has the others too";
+/// Said where a globe is open as likely as not.
+pub const BURST: &str = "an open globe has the others too";
+/// Stands where nobody counted and a range would say nothing.
+pub const NOBODY: &str = "nobody counted";
 /// Stands under every answer, whatever it says.
 pub const SIGNS: &str = "Pain, poor vision, blood, an odd pupil or double vision need an eye doctor \
     today; a low figure is no reassurance. Research and education, not diagnosis.";
 
-/// Upper ends of risk, in %, with the word for risks below each.
-const SCALE: [(f64, &str); 4] =
-    [(5.0, "unlikely"), (50.0, "possible"), (95.5, "likely"), (f64::INFINITY, "almost certain")];
+/// Words for risks, the least first.
+const WORDS: [&str; 5] =
+    ["not expected", "cannot be excluded", "possible", "likely", "almost certain"];
+/// An upper end below this is not expected, from 0 to 1.
+const NOT_EXPECTED: f64 = 0.045;
+/// Told from which on it is possible, likely, almost certain.
+const TOLD: [f64; 3] = [0.1, 0.5, 0.9];
+/// Nothing is almost certain whose lower end lies below this.
+const SURE: f64 = 0.5;
 
-/// The place in the scale of words of a risk from 0 to 1, as it is printed.
-pub fn gravity(risk: f64) -> usize {
-    let percent = (100.0 * risk).round();
-    SCALE.iter().position(|(below, _)| percent < *below).unwrap_or(SCALE.len() - 1)
+/// The place of a share in the ladder of words, from 0 to 4.
+pub fn gravity(share: &Share) -> usize {
+    if share.high < NOT_EXPECTED {
+        return 0;
+    }
+    let above = TOLD.iter().filter(|least| share.told >= **least).count();
+    if above == TOLD.len() && share.low < SURE { above } else { 1 + above }
 }
 
 /// A risk from 0 to 1 in whole percent.
@@ -31,85 +43,130 @@ pub fn whole(risk: f64) -> String {
     }
 }
 
-/// Whether a risk as [`whole`] says it is neither none nor all.
-fn is_inner(risk: &str) -> bool {
-    risk.starts_with(|c: char| c.is_ascii_digit())
-}
-
 /// A range of risks from 0 to 1, in whole %, as in `27-94 %`.
 pub fn span((low, high): (f64, f64)) -> String {
     let (least, most) = ((100.0 * low).round(), (100.0 * high).round());
     if least == most { whole(low) } else { format!("{least}-{most} %") }
 }
 
-impl Risk {
-    /// The whole range in a word or two.
-    pub fn word(&self) -> String {
-        let [low, high] = [self.range.0, self.range.1].map(|end| SCALE[gravity(end)].1);
-        match () {
-            () if !self.usable => "not known".to_owned(),
-            () if self.is_unclear() => "unclear".to_owned(),
-            () if low == high => low.to_owned(),
-            () => format!("{low} to {high}"),
-        }
-    }
-
-    /// Whether the range goes from the least word of the scale to the greatest.
-    pub fn is_unclear(&self) -> bool {
-        gravity(self.range.1) - gravity(self.range.0) == SCALE.len() - 1
-    }
-
-    /// The range in percent.
+impl Share {
+    /// Its middle in whole percent.
     pub fn percent(&self) -> String {
-        // Whole ranges and what is over 99 % need no other word for more.
-        let (said, least) = (span(self.range), self.range.0);
-        let more = self.at_least && said != whole(1.0) && (100.0 * least).round() > 0.0;
-        if more { format!("{AT_LEAST} {}", whole(least)) } else { said }
+        whole(self.told)
     }
 
-    /// What to say after the injury's name, the longest words first, as room may be short.
-    pub fn forms(&self) -> Vec<String> {
-        let short = format!("{} ({})", self.word(), self.percent());
-        if !self.usable {
-            return vec![short.clone(), short.clone(), short, self.percent()];
+    /// Its range in whole percent.
+    pub fn range(&self) -> String {
+        span((self.low, self.high))
+    }
+}
+
+impl Risk {
+    /// The risk in a word or two.
+    pub fn word(&self) -> &'static str {
+        match () {
+            () if !self.usable => "not known",
+            () if self.is_open() => NOBODY,
+            () => WORDS[self.gravity()],
         }
-        let risk = self.middle();
-        let about = if is_inner(&risk) { "about " } else { "" };
-        let middle = format!("{} ({about}{risk}, {})", self.word(), self.percent());
-        let sure = risk == self.percent() || !self.has_middle();
-        let middle = if sure { short.clone() } else { middle };
-        let equivalent = format!("{middle}, like {}", self.equivalent);
-        vec![equivalent, middle, short, self.percent()]
     }
 
-    /// Whether its middle is worth saying: one that is sure reads oddly beside a range that is not.
-    pub fn has_middle(&self) -> bool {
-        self.usable && (!self.is_unclear() || is_inner(&whole(self.risk)))
+    /// Its place in the ladder of words, by the graver of clinics and laboratories.
+    pub fn gravity(&self) -> usize {
+        gravity(&self.graver())
     }
 
-    /// Its middle in whole percent, or a sign that it is not said.
+    /// Told in whole percent, or a sign that it is not said.
     pub fn middle(&self) -> String {
-        if self.has_middle() { whole(self.risk) } else { UNSAID.to_owned() }
+        self.figure(|share| share.percent())
     }
 
-    /// All that is said after the injury's name.
-    pub fn words(&self) -> String {
-        self.words_but(&[])
+    /// The range in whole percent, or a sign that it is not said.
+    pub fn range(&self) -> String {
+        self.figure(|share| share.range())
     }
 
-    /// All that is said after its name but for some notes, which are said of all injuries at once.
-    pub fn words_but(&self, said: &[&str]) -> String {
-        let mut words = self.forms().swap_remove(0);
-        if self.bursts() {
-            words.extend(["; ", BURST]);
+    fn figure(&self, of: impl Fn(&Share) -> String) -> String {
+        let said = self.usable && !self.is_open();
+        if said { of(&self.share()) } else { UNSAID.to_owned() }
+    }
+
+    /// What the tissue felt beside what hurts half, in words.
+    pub fn felt(&self) -> String {
+        match self.of_half {
+            less if less < 0.1 => "felt less than a tenth of what hurts half of all eyes".to_owned(),
+            times if times < 0.95 => {
+                format!("felt {times:.1} of what hurts half of all eyes")
+            }
+            times if times < 10.0 => format!("felt {times:.1} times what hurts half of all eyes"),
+            _ => "felt more than ten times what hurts half of all eyes".to_owned(),
         }
-        let notes = self.notes.iter().filter(|note| !said.contains(note));
-        words.extend(notes.flat_map(|note| ["; ", note]));
-        words
     }
 
-    /// Whether the globe bursts as likely as not, which comes before all else.
-    pub fn bursts(&self) -> bool {
-        self.usable && self.injury == Injury::GlobeRupture && self.risk >= 0.5
+    /// What was counted near enough, as in `12 of 71, squash balls`.
+    pub fn seen(&self) -> Option<String> {
+        let (outcome, objects) = self.counted?;
+        Some(format!("{} ({objects}, {} {})", outcome.count(), outcome.first_author(), outcome.year))
+    }
+
+    /// What laboratories tell, where that is another answer.
+    pub fn in_laboratory(&self) -> Option<String> {
+        let other = self.laboratory?;
+        Some(format!("donor eyes in laboratories {} ({})", other.percent(), other.range()))
+    }
+
+    /// All that is said after the injury's name, in parts, what counts first.
+    pub fn parts(&self) -> Vec<String> {
+        if !self.usable {
+            return vec![self.word().to_owned()];
+        }
+        let mut parts = vec![if self.is_open() {
+            format!("{NOBODY}; {}", self.felt())
+        } else {
+            let share = self.share();
+            let of = if self.clinic.is_some() { "who come" } else { "hit so" };
+            format!("{}: {} of eyes {of} ({})", self.word(), share.percent(), share.range())
+        }];
+        if self.clinic.is_some() && !self.is_open() {
+            parts.push(format!("{} of eyes hit so ({})", self.hit.percent(), self.hit.range()));
+        }
+        parts.extend(self.seen().map(|seen| format!("seen {seen}")));
+        parts.extend(self.in_laboratory());
+        if self.opens() {
+            parts.push(BURST.to_owned());
+        }
+        parts
+    }
+
+    /// All of it in one line.
+    pub fn words(&self) -> String {
+        self.parts().join("; ")
+    }
+
+    /// Whether the globe is open as likely as not, which comes before all else.
+    pub fn opens(&self) -> bool {
+        self.usable && self.injury == Injury::GlobeRupture && self.graver().told >= 0.5
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_follows_what_is_told_and_its_upper_end() {
+        let of = |told, low, high| WORDS[gravity(&Share { told, low, high })];
+        assert_eq!(of(0.01, 0.0, 0.03), "not expected");
+        assert_eq!(of(0.01, 0.0, 0.2), "cannot be excluded");
+        assert_eq!(of(0.2, 0.0, 0.9), "possible");
+        assert_eq!(of(0.6, 0.1, 0.9), "likely");
+        assert_eq!(of(0.95, 0.4, 1.0), "likely");
+        assert_eq!(of(0.95, 0.7, 1.0), "almost certain");
+    }
+
+    #[test]
+    fn no_figure_is_finer_than_a_percent() {
+        assert_eq!((whole(0.004).as_str(), whole(0.996).as_str()), ("under 1 %", "over 99 %"));
+        assert_eq!((span((0.1, 0.5)), span((0.101, 0.099))), ("10-50 %".into(), "10 %".into()));
     }
 }

@@ -86,8 +86,12 @@ impl Ensemble {
         self.valid().map(|(_, point)| point.values[of]).collect()
     }
 
-    /// The band of a result; none where the scene has no such result, or no sample.
+    /// The band of a result; none where the scene has no such result, or no sample, and none of a
+    /// risk, which has a range of its own.
     pub fn band(&self, of: Quantity) -> Option<Band> {
+        if of.is_risk() {
+            return None;
+        }
         let mut values = self.values(of)?;
         values.sort_by(f64::total_cmp);
         let finite = values.iter().all(|v| v.is_finite());

@@ -8,7 +8,8 @@ use std::cmp::Ordering;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, PoisonError};
 
-use crate::answer::{complete::complete, solve::Answer, solve::solve};
+use crate::answer::mesh_error::{add_mesh_error, is_asked};
+use crate::answer::{solve::Answer, solve::solve};
 use crate::run::refusal::unstopped;
 use crate::run::{kept::Keep, ordered, ordered::until, quantity::Quantity, refusal::Refusal};
 use crate::scenario::{CheckedScenario, Scenario};
@@ -154,9 +155,12 @@ pub fn compare(
             until(stop)(share)
         };
         let mut answer = solve(scenario, keep(scenario), &mut watch)?;
-        complete(scenario, &mut answer, stop, |share| {
-            tell(at, FIRST_RUN + (1.0 - FIRST_RUN) * share);
-        })?;
+        if is_asked(scenario) {
+            add_mesh_error(scenario, &mut answer, &mut |share| {
+                tell(at, FIRST_RUN + (1.0 - FIRST_RUN) * share);
+                until(stop)(share)
+            })?;
+        }
         Ok(answer)
     };
     let job = |at: usize| {

@@ -12,12 +12,12 @@
 //!
 //! What samples say together is a [`Band`](crate::many::bands::Band) for each result.
 //!
-//! Left out: the mesh error, which all samples share, and inputs that hang together.
+//! Left out: the mesh error, which all samples share, inputs that hang together, and bands of
+//! risks, which hold what is not known of eyes already.
 
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
-use crate::answer::uncertain::{CURVES, UncertainInput, inputs};
-use crate::injury::{Blow, Injury};
+use crate::answer::uncertain::{UncertainInput, inputs};
 use crate::many::statistics::median;
 use crate::run::{ordered, ordered::until, refusal::Refusal, refusal::unstopped, threads};
 use crate::scenario::{CheckedScenario, Scenario};
@@ -123,23 +123,6 @@ impl Job<'_> {
         (changed, values)
     }
 
-    /// Reads a sample's risks again by curves `off` standard deviations away, matched with its eye.
-    fn put_curves(&self, answer: &mut BriefAnswer, blow: &Blow, off: f64, drawn: &[f64]) {
-        for injury in Injury::ALL {
-            let (measure, result) = (injury.measure(), injury.result());
-            // Of an eye that was missed it is 0 and stays so.
-            if let Some(value) = answer.values[measure]
-                && answer.values[result].is_some_and(|risk| risk > 0.0)
-            {
-                let each = self.inputs.iter().zip(drawn).map(|(input, v)| input.moves_curves(*v));
-                let moved = each.fold(0.0, |sum, one| sum + one[*injury as usize]);
-                let value = value / measure.row().factor * libm::pow(10.0, -moved);
-                let drawn = injury.risk_if(blow, value, off, (0.0, 0.0));
-                answer.values[result] = Some(drawn * result.row().factor);
-            }
-        }
-    }
-
     /// Sample number `index`; nothing if it was stopped.
     fn run(&self, index: u32) -> Option<Sample> {
         let (mut scenario, drawn) = self.drawn(index);
@@ -159,10 +142,6 @@ impl Job<'_> {
             scenario.numerics.step_us = None;
             let free = scenario.check().map_err(Refusal::Scenario);
             outcome = free.and_then(|free| run(&free, Some(self.cap), &mut watch));
-        }
-        let curves = self.inputs.iter().position(|i| i.field.path == CURVES.path);
-        if let (Ok(answer), Some(place)) = (&mut outcome, curves) {
-            self.put_curves(answer, &Blow::of(&scenario), drawn[place], &drawn);
         }
         let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal).to_owned());
         Some(Sample { drawn, outcome })

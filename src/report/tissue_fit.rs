@@ -1,13 +1,12 @@
 //! The fit of the injury curves as text of 80 columns and as JSON.
 
-use crate::injury::Injury;
 use crate::report::format::{paragraph, significant};
-use crate::verify::tissue_fit::{TissueFit, TissueFits};
+use crate::verify::tissue_fit::TissueFit;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Prints each curve as it was found beside the one that is shipped, then what each kind felt.
-pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
+pub fn text(fits: &[TissueFit], out: &mut dyn Write) -> io::Result<()> {
     let what = "Curves of injury against what the tissue felt, matched by running the objects behind \
                 the published curves: found (shipped)";
     paragraph(what, out)?;
@@ -15,7 +14,7 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
         format!("{name:<19}{unit:>6} {half:>17} {eyes:>16} {known:>16}")
     };
     writeln!(out, "\n{}", line(["", "unit", "50 % at", "eyes differ", "curve known to"]))?;
-    for fit in &fits.injuries {
+    for fit in fits {
         let (row, shipped) = (fit.injury.measure().row(), fit.injury.curve());
         let half = |half: f64| significant(half * row.factor);
         let half = format!("{} ({})", half(fit.half), half(shipped.half));
@@ -27,7 +26,7 @@ pub fn text(fits: &TissueFits, out: &mut dyn Write) -> io::Result<()> {
     let what = "The last two are standard deviations of log10 of the measure. Each kind at the \
                 published energy of 50 %, and the risk that the curve without that kind tells of it:";
     paragraph(what, out)?;
-    for fit in &fits.injuries {
+    for fit in fits {
         let row = fit.injury.measure().row();
         writeln!(out, "\n{}, {} in {}", fit.injury.name(), row.label, row.unit)?;
         for kind in &fit.kinds {
@@ -54,25 +53,15 @@ fn one(fit: &TissueFit) -> Value {
         "known_to": fit.known,
         "slope": fit.slope,
         "kinds_disagree": fit.disagreement,
-        "data_end": fit.end * row.factor,
         "shipped": {
             "half": shipped.half * row.factor,
             "eyes_differ": shipped.eyes,
             "known_to": shipped.known,
-            "data_end": shipped.end * row.factor,
         },
         "kinds": kinds.collect::<Value>(),
     })
 }
 
-pub fn json(fits: &TissueFits) -> Value {
-    let curves = fits.injuries.iter().map(|fit| (fit.injury.key(), one(fit)));
-    let powers = fits.with_inputs.iter().map(|input| {
-        let [below, above] = [0, 1].map(|side| {
-            let power = |injury: &Injury| (injury.key(), input.powers[side][*injury as usize]);
-            Injury::ALL.iter().map(power).collect::<Value>()
-        });
-        json!({ "input": input.path, "below": below, "above": above })
-    });
-    json!({ "curves": curves.collect::<Value>(), "with_inputs": powers.collect::<Value>() })
+pub fn json(fits: &[TissueFit]) -> Value {
+    fits.iter().map(|fit| (fit.injury.key(), one(fit))).collect()
 }

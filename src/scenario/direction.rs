@@ -26,6 +26,16 @@ pub const AS_HITS_COME: [[f64; 4]; 6] = [
     [30.0, 8.0, 6.0, 8.0],
 ];
 
+/// Whether it is known where a blow came from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
+pub enum Directions {
+    /// By its angle and offset.
+    #[default]
+    AsGiven,
+    /// Nobody knows: it may be any of [`AS_HITS_COME`].
+    NotKnown,
+}
+
 /// Which eye of a person.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, IntoStaticStr)]
 pub enum Side {
@@ -164,6 +174,9 @@ impl Projectile {
 
     /// Where it comes from and what it aims at, in words; none if straight on.
     pub fn direction(&self, side: Side) -> Option<String> {
+        if self.directions == Directions::NotKnown {
+            return Some("from where is not known".to_owned());
+        }
         let from = place(side.azimuth(self.angle_clock));
         let towards = place(side.azimuth(self.offset_clock));
         let angle = format!("from {from} at {} deg", plain(self.angle_deg));

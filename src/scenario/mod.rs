@@ -29,7 +29,7 @@ use std::collections::BTreeMap;
 
 pub use crate::scenario::check::CheckedScenario;
 pub use crate::scenario::curve::{Curve, CurveError};
-pub use crate::scenario::direction::{STEEPEST_OBJECT_DEG, Side};
+pub use crate::scenario::direction::{Directions, STEEPEST_OBJECT_DEG, Side};
 pub use crate::scenario::geometry::{FINEST_SPATIAL_LEVEL, Geometry};
 pub use crate::scenario::integrator::Integrator;
 pub use crate::scenario::physiological::{

@@ -1,6 +1,7 @@
 //! An object that flies at the eye of the Physiological model.
 
-use crate::scenario::{direction::HOURS, is_default};
+use crate::scenario::direction::{Directions, HOURS};
+use crate::scenario::is_default;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
@@ -26,6 +27,9 @@ pub struct Projectile {
     /// The hour towards which that is.
     #[serde(default = "usual::<12>", skip_serializing_if = "is_usual::<12>")]
     pub offset_clock: f64,
+    /// Whether it is known where it came from; angle and offset are 0 where it is not.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub directions: Directions,
     /// How it gives way as a whole.
     #[serde(default)]
     pub stiffness: ProjectileStiffness,
@@ -94,6 +98,7 @@ impl Default for Projectile {
             angle_clock: HOURS,
             offset_mm: 0.0,
             offset_clock: HOURS,
+            directions: Directions::default(),
             stiffness: ProjectileStiffness::default(),
             outline: Outline::default(),
             surface: Surface::default(),

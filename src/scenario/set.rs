@@ -6,7 +6,7 @@ use crate::scenario::curve_file::{PathBase, with_files};
 use crate::scenario::fields::{Choices, FIELDS, Field, Kind};
 use crate::scenario::problem::{Problem, ScenarioError, suggestion, unknown_name};
 use crate::scenario::ron_text::{not_a, read};
-use crate::scenario::{PulseShape, Scenario, doubt, fields, naming};
+use crate::scenario::{Directions, PulseShape, Scenario, doubt, fields, naming};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -139,12 +139,22 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
     check_inside(&changed, path)?;
     near_zero_is_zero(&mut changed);
     changed.impact.by_the_clock();
+    direction_is_known(&mut changed);
     confirm(&mut changed, path);
     if let Some(field) = field {
         naming::follow(&mut changed, scenario, field);
     }
     *scenario = changed;
     Ok(())
+}
+
+/// Whoever gives an angle or an offset knows where the blow came from.
+fn direction_is_known(scenario: &mut Scenario) {
+    if let Some(projectile) = scenario.projectile_mut()
+        && !projectile.is_straight_on()
+    {
+        projectile.directions = Directions::AsGiven;
+    }
 }
 
 /// What a person has set is theirs, no longer an unverified figure of a preset.
@@ -163,6 +173,7 @@ pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
         _ => return,
     };
     scenario.impact.by_the_clock();
+    direction_is_known(scenario);
     confirm(scenario, field.path);
 }
 

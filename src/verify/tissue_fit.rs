@@ -1,4 +1,4 @@
-//! Where the curves of injury against what tissues felt come from, so that anybody can repeat it.
+//! Where the laboratory's points of 50 % come from, so that anybody can repeat it.
 //!
 //! The kinds of object behind the published energy curves are run at the published energies of 50
 //! %, at human and pigs' eyes in gelatin. Of log10 of each measure there, the mean over kinds and
@@ -14,12 +14,11 @@
 //!
 //! Left out: the mesh, whose error every answer states for itself: all is of level 1.
 
-use crate::answer::{brief::single, uncertain::WITH_CURVES, uncertain::inputs};
-use crate::injury::{BBS, Injury, PerInjury};
+use crate::answer::brief::single;
+use crate::injury::{Injury, PerInjury};
 use crate::normal;
 use crate::run::{ordered, watch::unwatched};
 use crate::scenario::{Impact, Physiological, Scenario, Species, Support, Surface};
-use crate::scenario::{fields::find, set::put_number};
 use crate::verify::experiments::{flat, projectile_at};
 use std::cell::RefCell;
 use std::f64::consts::FRAC_PI_4;
@@ -67,8 +66,6 @@ const ONSET_J: f64 = 1.20;
 const ONSET_RISK: f64 = 0.1;
 /// How far the front edge's curve is known: judged, as its data are few and its diameters unknown.
 const EDGE_KNOWN: f64 = 0.15;
-/// Energy over area at which the data end, J/m2.
-const END: f64 = 100e3;
 /// Shares of a published energy between which the slope of a measure is taken.
 const AROUND: [f64; 2] = [0.5, 2.0];
 
@@ -153,30 +150,8 @@ pub struct TissueFit {
     pub slope: f64,
     /// Standard deviation of log10 over kinds.
     pub disagreement: f64,
-    /// The largest of the kinds at the end of the data, SI.
-    pub end: f64,
     /// Each kind.
     pub kinds: Vec<KindFelt>,
-}
-
-/// How the points of 50 % go with an input: log10 of each over log10 of the input.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WithInput {
-    /// Path of the input.
-    pub path: &'static str,
-    /// Below the model's own value and above it.
-    pub powers: [PerInjury<f64>; 2],
-}
-
-/// All that is found again.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TissueFits {
-    /// One for each injury.
-    pub injuries: Vec<TissueFit>,
-    /// How they go with inputs of the model.
-    pub with_inputs: Vec<WithInput>,
-    /// What the tissues feel of each of [`BBS`], SI.
-    pub bb: [PerInjury<f64>; BBS.len()],
 }
 
 /// What all tissues feel; none where a run was refused.
@@ -243,8 +218,6 @@ impl Match {
             let [low, high] = AROUND.map(|share| self.felt(kind, share, runs));
             Some((high? - low?) / libm::log10(AROUND[1] / AROUND[0]))
         });
-        let ends = self.kinds().filter(|kind| !kind.foam);
-        let ends = ends.filter_map(|kind| runs.of(injury, kind.at(END, Species::Human)));
         let logs: Vec<f64> = felt.iter().map(|(_, felt)| *felt).collect();
         let (slope, disagreement) = (mean(&slopes.collect::<Vec<_>>()), deviation(&logs));
         let published = self.half[self.half.len() - 1] / self.half[0];
@@ -280,48 +253,17 @@ impl Match {
             known,
             slope,
             disagreement,
-            end: libm::pow(10.0, ends.fold(f64::NEG_INFINITY, f64::max)),
             kinds: kinds.collect(),
         }
     }
 }
 
-/// By the values one standard deviation below and above the model's own.
-fn with_input(path: &'static str, runs: &Runs) -> Option<WithInput> {
-    let scenario = KINDS[0].fast(1.0, Species::Human, Support::Gelatin);
-    let input = inputs(&scenario).into_iter().find(|input| input.field.path == path)?;
-    let power = |of: &Match, value: f64| {
-        let each = of.kinds().filter_map(|kind| {
-            let own = kind.at(of.half[0], Species::Human);
-            let mut moved = own.clone();
-            put_number(&mut moved, find(path)?, value);
-            let from = runs.of(of.injury, own)?;
-            Some(runs.of(of.injury, moved)? - from)
-        });
-        mean(&each.collect::<Vec<_>>()) / libm::log10(value / input.nominal)
-    };
-    let powers = [-1.0, 1.0].map(|side| {
-        let value = input.value(normal::below(side));
-        std::array::from_fn(|i| power(&MATCHES[i], value))
-    });
-    Some(WithInput { path, powers })
-}
-
-fn found(runs: &Runs) -> TissueFits {
-    let bb = |injury: Injury, speed: f64| {
-        let scenario = KINDS[0].fast(speed, Species::Human, Support::Orbit);
-        runs.of(injury, scenario).map_or(f64::NAN, |log| libm::pow(10.0, log))
-    };
-    let paths = WITH_CURVES.iter().map(|(path, _)| *path);
-    TissueFits {
-        injuries: MATCHES.iter().map(|of| of.fit(runs)).collect(),
-        with_inputs: paths.filter_map(|path| with_input(path, runs)).collect(),
-        bb: BBS.map(|(speed, _)| std::array::from_fn(|i| bb(Injury::ALL[i], speed))),
-    }
+fn found(runs: &Runs) -> Vec<TissueFit> {
+    MATCHES.iter().map(|of| of.fit(runs)).collect()
 }
 
 /// Runs the kinds and finds the curves again; `progress` is told the share done.
-pub fn fit_tissues(progress: impl FnMut(f64) + Send) -> TissueFits {
+pub fn fit_tissues(progress: impl FnMut(f64) + Send) -> Vec<TissueFit> {
     let needed = Runs::default();
     found(&needed);
     let asked = needed.asked.into_inner();

@@ -4,8 +4,9 @@ use std::sync::atomic::AtomicBool;
 
 use super::ThresholdSearch;
 use crate::answer::solve::{Answer, solve};
-use crate::answer::{brief::single, complete::complete, results::Results};
-use crate::injury::{Blow, Injury, Known, Risk};
+use crate::answer::mesh_error::{add_mesh_error, is_asked};
+use crate::answer::results::Results;
+use crate::injury::{Injury, Risk};
 use crate::many::root::{Bracket, narrowed};
 use crate::run::refusal::{Refusal, unstopped};
 use crate::run::{flags::Flag, kept::Keep, ordered::until, threads::beside};
@@ -84,7 +85,9 @@ impl ThresholdSearch {
         let scenario = self.at(at)?;
         let mut answer = solve(&scenario, Keep::default(), &mut until(stop))?;
         one_more_run();
-        complete(&scenario, &mut answer, stop, |_| {})?;
+        if is_asked(&scenario) {
+            add_mesh_error(&scenario, &mut answer, &mut until(stop))?;
+        }
         one_more_run();
         let flags = answer.flags.clone();
         let mut crossing = Crossing { at, rising, step: None, mesh: None, jump, flags, risk: None };
@@ -123,17 +126,15 @@ impl ThresholdSearch {
         stop: &AtomicBool,
     ) -> Result<(Option<f64>, Option<f64>), Refusal> {
         let there = answer.risk(injury).filter(|_| at > 0.0);
-        let Some(there) = there else { return Ok((None, None)) };
+        if there.is_none() {
+            return Ok((None, None));
+        }
         let target = self.target / self.quantity.row().factor;
         // Whether the upper or lower end of the range has the target at a value, if it is known.
         let reached = |value: f64, upper: bool| {
-            let scenario = self.at(value)?;
-            let run = if_known(single(&scenario, None, &mut until(stop)))?;
-            let measure = injury.measure();
-            Ok(run.and_then(|run| run.values[measure]).map(|value| {
-                let known = Known { value: value / measure.row().factor, ..there.known };
-                let range = injury.assess(&Blow::of(&scenario), known).range;
-                (if upper { range.1 } else { range.0 }) >= target
+            let run = if_known(solve(&self.at(value)?, Keep::default(), &mut until(stop)))?;
+            Ok(run.and_then(|run| run.risk(injury)).map(|risk| {
+                (if upper { risk.hit.high } else { risk.hit.low }) >= target
             }))
         };
         let end = |upper: bool| {

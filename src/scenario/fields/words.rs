@@ -1,8 +1,8 @@
 //! Words for where a blow comes from, which stand for the values of several fields.
 
 use super::Choices;
-use crate::scenario::Scenario;
-use std::f64::consts::PI;
+use crate::scenario::{Directions as Known, Scenario};
+use std::f64::consts::FRAC_PI_4;
 
 /// The angle that a word alone stands for, in degrees.
 const USUAL_DEG: f64 = 30.0;
@@ -11,19 +11,28 @@ const USUAL_DEG: f64 = 30.0;
 pub(super) struct Directions;
 
 const STRAIGHT_ON: &str = "StraightOn";
-/// Each word and its azimuth.
-const WORDS: [(&str, f64); 4] =
-    [("Above", 0.0), ("Nose", 0.5 * PI), ("Below", PI), ("Temple", 1.5 * PI)];
+const NOT_KNOWN: &str = "NotKnown";
+/// Each word, from above by eighths of a turn towards the nose.
+const WORDS: [&str; 8] = [
+    "Above",
+    "AboveNose",
+    "Nose",
+    "BelowNose",
+    "Below",
+    "BelowTemple",
+    "Temple",
+    "AboveTemple",
+];
 
 impl Choices for Directions {
     fn names(&self) -> Vec<&'static str> {
-        let words = WORDS.iter().map(|(word, _)| *word);
-        std::iter::once(STRAIGHT_ON).chain(words).collect()
+        [NOT_KNOWN, STRAIGHT_ON].into_iter().chain(WORDS).collect()
     }
 
     fn synonyms(&self) -> &'static [(&'static str, &'static str)] {
         &[
             ("front", STRAIGHT_ON),
+            ("unknown", NOT_KNOWN),
             ("superior", "Above"),
             ("nasal", "Nose"),
             ("medial", "Nose"),
@@ -41,12 +50,15 @@ impl Choices for Directions {
 
     fn get(&self, scenario: &Scenario) -> Option<&'static str> {
         let projectile = scenario.projectile()?;
+        if projectile.directions == Known::NotKnown {
+            return Some(NOT_KNOWN);
+        }
         if projectile.angle_deg == 0.0 {
             return Some(STRAIGHT_ON);
         }
         let azimuth = scenario.eye_side().azimuth(projectile.angle_clock);
-        let quarter = (azimuth / (0.5 * PI)).round().rem_euclid(4.0) as usize;
-        Some(WORDS[quarter].0)
+        let eighth = (azimuth / FRAC_PI_4).round().rem_euclid(8.0) as usize;
+        Some(WORDS[eighth])
     }
 
     fn set(&self, scenario: &mut Scenario, name: &str) -> bool {
@@ -56,12 +68,18 @@ impl Choices for Directions {
         if same {
             return true;
         }
+        projectile.directions = Known::AsGiven;
+        if name == NOT_KNOWN {
+            projectile.directions = Known::NotKnown;
+            (projectile.angle_deg, projectile.offset_mm) = (0.0, 0.0);
+            return true;
+        }
         if name == STRAIGHT_ON {
             projectile.angle_deg = 0.0;
             return true;
         }
-        let Some((_, azimuth)) = WORDS.iter().find(|(word, _)| *word == name) else { return false };
-        projectile.angle_clock = side.hour(*azimuth);
+        let Some(eighth) = WORDS.iter().position(|word| *word == name) else { return false };
+        projectile.angle_clock = side.hour(eighth as f64 * FRAC_PI_4);
         if projectile.angle_deg == 0.0 {
             projectile.angle_deg = USUAL_DEG;
         }

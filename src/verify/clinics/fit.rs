@@ -7,7 +7,8 @@
 //! A row is scored by ln of the mean chance of its count over draws from that approximation: fitted
 //! with it, or with all rows of its kind left out.
 
-use crate::injury::{KINDS, Outcome, outcomes};
+use crate::injury::points::{COVARIANCE, FittedInjury, FittedPoint};
+use crate::injury::{Injury, KINDS, Outcome, outcomes};
 use crate::normal;
 use crate::verify::clinics::felt::FeltRow;
 use crate::verify::clinics::posterior::{Choices, Posterior, UNKNOWNS};
@@ -20,6 +21,16 @@ const STEPS: usize = 100;
 const LEAST_CURVATURE: f64 = 0.3;
 /// Draws that a score is a mean over.
 const DRAWS: u32 = 300;
+
+/// What is chosen and not fitted: what tells kinds that were left out best of what was tried.
+pub const CHOICES: Choices = Choices {
+    concentration: 20.0,
+    derived: 1.0,
+    common_shift: 0.1,
+    laboratory: 0.25,
+    prior: 0.2,
+    covariance: COVARIANCE,
+};
 
 /// What was fitted.
 #[derive(Debug, Clone)]
@@ -117,6 +128,74 @@ impl Fitted {
         };
         (0..count).map(mean).collect()
     }
+}
+
+impl Fitted {
+    /// What ships: points of 50 % with how they hang together, to four digits.
+    pub fn table(&self) -> Vec<FittedInjury> {
+        let known = |slope: &DVector<f64>| slope.dot(&(&self.covariance * slope)).sqrt();
+        let each = |(j, injury): (usize, &Injury)| {
+            let mut slopes = vec![self.posterior.all_slope(j)];
+            let kinds = 0..KINDS.len();
+            slopes.extend(kinds.map(|k| self.posterior.point_slope(&self.at, k, j)));
+            let logs = std::iter::once(self.posterior.all(&self.at, j))
+                .chain((0..KINDS.len()).map(|k| self.posterior.point(&self.at, k, j)));
+            let keys = std::iter::once("all").chain(KINDS.iter().map(|kind| kind.key));
+            let points = keys.zip(logs).enumerate().map(|(i, (kind, log))| FittedPoint {
+                kind: kind.to_owned(),
+                half: rounded(libm::exp10(log)),
+                known: rounded(known(&slopes[i])),
+                with: (0..i)
+                    .map(|l| {
+                        let both = slopes[i].dot(&(&self.covariance * &slopes[l]));
+                        rounded(both / (known(&slopes[i]) * known(&slopes[l])))
+                    })
+                    .collect(),
+            });
+            let (eyes, kinds_differ, lambda) = self.posterior.spreads(&self.at, j);
+            FittedInjury {
+                injury: injury.key().to_owned(),
+                eyes: rounded(eyes),
+                kinds_differ: rounded(kinds_differ),
+                laboratory: (
+                    rounded(self.at[lambda]),
+                    rounded(self.covariance[(lambda, lambda)].sqrt()),
+                ),
+                points: points.collect(),
+            }
+        };
+        Injury::ALL.iter().enumerate().map(each).collect()
+    }
+}
+
+/// To four digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+/// The shipped table as RON, a line a point.
+pub fn as_ron(table: &[FittedInjury]) -> String {
+    let mut text = String::from(
+        "// Points of 50 % by kind of object, fitted to what clinics counted: contrecoup verify fit --points\n[\n",
+    );
+    for of in table {
+        text += &format!(
+            "    (injury: {:?}, eyes: {:?}, kinds_differ: {:?}, laboratory: {:?}, points: [\n",
+            of.injury, of.eyes, of.kinds_differ, of.laboratory
+        );
+        for point in &of.points {
+            let with: Vec<String> = point.with.iter().map(|with| format!("{with:.2}")).collect();
+            text += &format!(
+                "        (kind: {:?}, half: {:?}, known: {:?}, with: [{}]),\n",
+                point.kind,
+                point.half,
+                point.known,
+                with.join(", ")
+            );
+        }
+        text += "    ]),\n";
+    }
+    text + "]\n"
 }
 
 /// How well rows are told: fitted with them, and with their kind left out.
@@ -225,6 +304,9 @@ mod tests {
             println!("{j} mu {:.3} sigma {:.3} kappa {:.3} lambda {:.3}", libm::exp10(whole.at[j]), libm::exp(whole.at[6 + j]), libm::exp(whole.at[12 + j]), whole.at[18 + j]);
         }
         println!("common {:.3}", whole.at[UNKNOWNS - 1]);
+        if let Ok(path) = std::env::var("POINTS") {
+            std::fs::write(path, as_ron(&whole.table())).unwrap();
+        }
         for (k, kind) in KINDS.iter().enumerate() {
             let points: Vec<String> = (0..6).map(|j| {
                 let slope = whole.posterior.point_slope(&whole.at, k, j);

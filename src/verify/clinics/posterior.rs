@@ -15,8 +15,9 @@
 //! the shift of log10 of its speeds.
 
 use crate::injury::clinic::Setting;
-use crate::injury::points::{self, Covariance};
-use crate::injury::{Injury, KINDS, Outcome, PerInjury};
+use crate::injury::points::Covariance;
+use crate::injury::way_in::{self, WayIn};
+use crate::injury::{Injury, KINDS, ObjectKind, Outcome, PerInjury};
 use crate::normal;
 use crate::scenario::direction::AS_HITS_COME;
 use crate::verify::clinics::felt::{FeltRow, FeltTable};
@@ -91,6 +92,15 @@ const Z: usize = 4 * INJURIES;
 const U: usize = Z + INJURIES * KINDS.len();
 const COMMON: usize = UNKNOWNS - 1;
 
+/// log10 of the energy over area at 1 m/s of what may go in, J/m2.
+fn enters_at_1_m_s(kind: &ObjectKind) -> Option<f64> {
+    let scenario = kind.scenario();
+    let object = scenario.projectile()?;
+    WayIn::of(object)?;
+    let area = std::f64::consts::FRAC_PI_4 * object.diameter_m() * object.diameter_m();
+    Some(log10(0.5 * object.mass_kg() / area))
+}
+
 /// The kind that published points of 50 % of the laboratory are told of.
 const PUBLISHED_KIND: &str = "airsoft";
 
@@ -158,7 +168,7 @@ impl Posterior {
             series: series.into_iter().map(|(_, series)| series).collect(),
             root: root.expect("a covariance has a root").l(),
             choices,
-            enters: KINDS.iter().map(|kind| points::enters_at_1_m_s(&kind.scenario())).collect(),
+            enters: KINDS.iter().map(enters_at_1_m_s).collect(),
         }
     }
 
@@ -193,6 +203,21 @@ impl Posterior {
             i if i >= INJURIES => at[i],
             i => at[i] - self.own(at, kind, i),
         })
+    }
+
+    /// log10 of the point of 50 % of all kinds together.
+    pub fn all(&self, at: &DVector<f64>, injury: usize) -> f64 {
+        at[injury]
+    }
+
+    /// How that changes with the unknowns.
+    pub fn all_slope(&self, injury: usize) -> DVector<f64> {
+        DVector::from_fn(UNKNOWNS, |i, _| f64::from(u8::from(i == injury)))
+    }
+
+    /// How eyes and kinds differ, and the place of what laboratories add.
+    pub fn spreads(&self, at: &DVector<f64>, injury: usize) -> (f64, f64, usize) {
+        (exp(at[INJURIES + injury]), Self::kappa(at, injury), LAMBDA + injury)
     }
 
     /// log10 of the point of 50 % of a kind.
@@ -231,11 +256,12 @@ impl Posterior {
                     own[j] = [-steep, -z * density(z), steep * rises[j]];
                 }
                 if let Some(energy) = self.enters[kind] {
-                    let z = points::enters_z(energy + 2.0 * speed, AS_HITS_COME[direction]);
+                    let [angle_deg, _, offset_mm, _] = AS_HITS_COME[direction];
+                    let z = way_in::z(energy + 2.0 * speed, angle_deg, offset_mm);
                     let enters = normal::below(z);
                     let whole = 1.0 - enters;
                     own[0] = own[0].map(|slope| slope * whole);
-                    own[0][2] += (1.0 - risks[0]) * density(z) * 2.0 / points::ENTERS_SPREAD;
+                    own[0][2] += (1.0 - risks[0]) * density(z) * 2.0 / way_in::SPREAD;
                     risks[0] = 1.0 - (1.0 - risks[0]) * whole;
                 }
                 let (coming, slopes) = (setting.coming(&risks), setting.slopes(&risks));
