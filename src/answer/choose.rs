@@ -169,7 +169,9 @@ mod tests {
         let rough = ask(50.0);
         let finer = ask(20.0);
         for (chosen, percent) in [(&rough, 50.0), (&finer, 20.0)] {
-            let stated = 100.0 * chosen.answer.errors.share(Quantity::Damage);
+            let errors = &chosen.answer.errors;
+            let mesh = errors.mesh.unwrap()[Quantity::Damage].unwrap();
+            let stated = errors.time_step[Quantity::Damage].unwrap() + mesh;
             assert!(stated <= percent, "{stated}");
             assert_eq!(chosen.scenario.eye.level, chosen.answer.case.level());
         }

@@ -255,7 +255,7 @@ mod tests {
             common_shift: 0.1,
             laboratory: 0.25,
             prior: 0.2,
-            covariance: Covariance { shared: 0.7, near: 0.25 },
+            covariance: Covariance { shared: 0.7, near: 0.3 },
         };
         let posterior = Posterior::new(&stored(), fitted_rows(), choices);
         // Nowhere special.
@@ -285,7 +285,7 @@ mod tests {
             common_shift: var("COMMON", 0.1),
             laboratory: 0.25,
             prior: 0.2,
-            covariance: Covariance { shared: var("SHARED", 0.7), near: var("NEAR", 0.25) },
+            covariance: Covariance { shared: var("SHARED", 0.7), near: var("NEAR", 0.3) },
         };
         let began = std::time::Instant::now();
         let felt = stored();
