@@ -1,10 +1,10 @@
 //! `contrecoup run`: one blow, its results on standard output.
 
 use std::io::Write;
-use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use crate::answer::{choose, complete::complete, solve::solve};
+use crate::answer::mesh_error::{add_mesh_error, is_asked};
+use crate::answer::{choose, solve::solve};
 use crate::cli::{CliError, RunArgs, progress::Progress};
 use crate::plain_text::write_json;
 use crate::report::{first_page, json, text};
@@ -14,7 +14,7 @@ use crate::scenario::{EyeInput, Scenario, set::full_path};
 /// A simulation after which what takes many of them is announced, where no progress is seen.
 const LONG: Duration = Duration::from_secs(3);
 
-/// Prints the results, each with its errors of step, mesh and inputs.
+/// Prints the results, each with its errors of step and, where they are asked for, of the mesh.
 pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     let mut scenario = args.scenario.scenario()?;
     let mut reasons = Vec::new();
@@ -32,13 +32,12 @@ pub fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), CliError> {
     } else {
         solve(&scenario, Keep::default(), &mut watch).map_err(|refusal| placed(args, refusal))?
     };
-    if !args.quick {
+    let asked = !args.quick && (args.meshes || is_asked(&scenario));
+    if asked && answer.errors.mesh.is_none() {
         if began.elapsed() > LONG {
-            let what = "finer meshes and inputs follow, 10 to 50 times as long";
-            progress.announce(&format!("{what}; --quick leaves them out"));
+            progress.announce("two finer meshes follow, 10 to 50 times as long");
         }
-        let (what, stop) = ("meshes and inputs (--quick leaves them out)", AtomicBool::new(false));
-        complete(&scenario, &mut answer, &stop, |share| progress.show(what, share))?;
+        add_mesh_error(&scenario, &mut answer, &mut progress.watch("meshes"))?;
     }
     progress.clear();
     if args.json {

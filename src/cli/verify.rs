@@ -7,9 +7,10 @@ use clap::{Args, Subcommand, ValueEnum};
 use serde_json::Value;
 
 use crate::cli::{CliError, arguments::whole, example, progress::shown};
-use crate::report::{claims, experiments, hard_cases as cases, tissue_fit};
+use crate::report::{claims, experiments, hard_cases as cases, outcome_fit, tissue_fit};
 use crate::run::threads;
 use crate::verify::clinics::felt::{self, FeltRow};
+use crate::verify::clinics::fit::{self as clinics, CHOICES, as_ron, first_rows, fitted_rows, study};
 use crate::verify::{claims::FINEST_CHECKED, claims::Study, claims::check, fit::fit, hard_cases};
 use crate::verify::{hard_cases::CaseVerdict, measured_orbit::InOrbit, rerun::rerun_all};
 use crate::verify::{scenes::MAX_SCENES, scenes::Scenes, tissue_fit::fit_tissues};
@@ -66,24 +67,29 @@ enum VerifyCommand {
     /// Published experiments run again: what was measured beside what the model gives
     #[command(after_help = example("verify experiments --json"))]
     Experiments,
-    /// The fits repeated: the injury curves, by the objects behind the published ones; or the one
-    /// free number of the mechanics, the bulk modulus of orbital fat
-    #[command(after_help = example("verify fit injuries"))]
+    /// The fits repeated: points of 50 % to what clinics counted, with the score of every row, fitted
+    /// and with its kind left out; the laboratory's points; or the bulk modulus of orbital fat
+    #[command(after_help = example("verify fit"))]
     Fit {
         /// Which fit
-        #[arg(default_value = "injuries")]
+        #[arg(default_value = "clinics")]
         what: WhichFit,
         /// Compute again what tissues felt of every kind of object, and print it as the table that
-        /// the fit reads: some half an hour of two cores
+        /// the fit reads: a quarter of an hour of two cores
         #[arg(long)]
         rerun: bool,
+        /// Print the points of 50 % as the table that ships
+        #[arg(long, conflicts_with = "rerun")]
+        points: bool,
     },
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum WhichFit {
-    /// The curves of injury against what tissues felt
-    Injuries,
+    /// Points of 50 % by kind of object to what clinics counted
+    Clinics,
+    /// The laboratory's points, by the objects behind published curves
+    Laboratory,
     /// The bulk modulus of orbital fat
     Fat,
 }
@@ -134,9 +140,21 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
             let rows = shown(|progress| felt::rerun(|share| progress.show("computing", share)));
             return felt_table(&rows, out);
         }
-        VerifyCommand::Fit { what: WhichFit::Injuries, .. } => {
+        VerifyCommand::Fit { points: true, .. } => {
+            let fitted = clinics::fit(&felt::stored(), fitted_rows(), CHOICES);
+            return Ok(write!(out, "{}", as_ron(&fitted.table()))?);
+        }
+        VerifyCommand::Fit { what: WhichFit::Clinics, .. } => {
+            let felt = felt::stored();
+            let studies = [
+                study(&felt, first_rows(), CHOICES),
+                study(&felt, fitted_rows(), CHOICES),
+            ];
+            return print(args, &studies, outcome_fit::json, outcome_fit::text, out);
+        }
+        VerifyCommand::Fit { what: WhichFit::Laboratory, .. } => {
             let fits = shown(|progress| fit_tissues(|share| progress.show("fitting", share)));
-            return print(args, &fits, tissue_fit::json, tissue_fit::text, out);
+            return print(args, &fits[..], tissue_fit::json, tissue_fit::text, out);
         }
         VerifyCommand::Fit { what: WhichFit::Fat, .. } => {
             let fit = shown(|progress| fit(|share| progress.show("fitting", share)));

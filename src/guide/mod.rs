@@ -31,7 +31,8 @@ topics! {
     install = "install", app = "app", keys = "keys", config = "config", ssh = "ssh",
     scenarios = "scenarios", objects = "objects", model = "model", sides = "sides",
     glossary = "glossary", accuracy = "accuracy", hard_cases = "hard-cases",
-    evidence = "evidence", injury = "injury", doubt = "doubt", sweeps = "sweeps",
+    evidence = "evidence", injury = "injury", outcomes = "outcomes",
+    look_for = "look-for", doubt = "doubt", sweeps = "sweeps",
     report = "report", speed = "speed",
 }
 

@@ -8,6 +8,7 @@ use crate::injury::points::{self, Point};
 use crate::injury::way_in::{self, WayIn};
 use crate::scenario::{Model, Scenario, Species, Support};
 use libm::{hypot, log10};
+use std::f64::consts::FRAC_PI_4;
 
 /// Whose eyes an answer speaks of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,6 +43,8 @@ pub struct Blow {
     pub points: PerInjury<Point>,
     /// Those of laboratories, where the eye is a living one.
     pub laboratory: Option<PerInjury<Point>>,
+    /// Kinetic energy over the object's area, J/m2; none of a pulse.
+    pub energy: Option<f64>,
     /// Whether it may go in.
     pub way_in: Option<WayIn>,
     /// What of log10 of a measure the person doubts, and of log10 of its energy.
@@ -75,6 +78,9 @@ impl Blow {
             population,
             points: if living { points } else { in_laboratory },
             laboratory: living.then_some(in_laboratory),
+            energy: object.map(|object| {
+                object.energy_j() / (FRAC_PI_4 * object.diameter_m() * object.diameter_m())
+            }),
             way_in: object.and_then(WayIn::of),
             doubted: doubted(scenario),
             counted: near.map_or_else(Default::default, counted),

@@ -82,6 +82,11 @@ enum Part {
 }
 
 impl Point {
+    /// Told of eyes whose tissue felt so many times what hurts half of them.
+    pub fn share(&self, times: f64) -> f64 {
+        if times > 0.0 { self.chance(times * libm::exp10(self.log), 0.0, Part::Told) } else { 0.0 }
+    }
+
     /// The chance that an eye is hurt whose tissue felt `measure`, known to `more` beside the point.
     fn chance(&self, measure: f64, more: f64, part: Part) -> f64 {
         let s = hypot(self.known, more);

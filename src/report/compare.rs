@@ -15,7 +15,7 @@ use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{Figure, cut_signs};
 use crate::report::format::{WIDTH, block, paragraph, percent};
 use crate::report::json::cut;
-use crate::report::risks::{first_line, legend, range};
+use crate::report::risks::{cell as risk_cell, first_line};
 use crate::run::quantity::Quantity;
 
 /// Narrowest column of a result.
@@ -41,10 +41,10 @@ impl Table {
         let cells = |answer: &Answer| -> Vec<String> {
             let errors = [answer.errors.time_step_percent(), answer.errors.mesh_percent()];
             let errors = errors.map(|error| error.map_or_else(|| "?".to_owned(), percent));
-            // A result with as many digits as its errors allow, a risk as a range.
+            // A result with as many digits as its errors allow, a risk with its range.
             let cell = |of: &Quantity| {
                 let figure = || Some(Figure::of(answer, *of)?.cell());
-                range(answer, *of).or_else(figure).unwrap_or_else(|| "-".to_owned())
+                risk_cell(answer, *of).or_else(figure).unwrap_or_else(|| "-".to_owned())
             };
             columns.iter().map(cell).chain(errors).collect()
         };
@@ -65,7 +65,7 @@ impl Table {
         let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
-        let notes = cut.into_iter().chain(legend(answers())).map(str::to_owned).collect();
+        let notes = cut.into_iter().map(str::to_owned).collect();
         let rows = entries.iter().map(row).collect();
         Self { heads, rows, notes, remarks: entries.iter().flat_map(remarks).collect() }
     }

@@ -9,7 +9,7 @@ use std::fmt;
 
 use crate::answer::results::Limit;
 use crate::answer::solve::{Answer, Cut, Errors};
-use crate::injury::{AT_LEAST, ENERGY, MERIDIAN, SHELL, Term};
+use crate::injury::{ENERGY, MERIDIAN, SHELL, Term};
 use crate::report::format::{digits, percent, share, significant};
 use crate::run::quantity::{Family, Quantity};
 use crate::run::{flags::FlagKind, result_trace::Group, trace::OtherTrace, trace::Trace};
@@ -101,7 +101,7 @@ pub fn cut_signs<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> &'static 
 /// What stands before a result that the run cut off: as a sign and in words.
 pub fn cut_before(cut: Option<Cut>) -> (&'static str, &'static str) {
     match cut {
-        Some(Cut::AtLeast) => ("≥", AT_LEAST),
+        Some(Cut::AtLeast) => ("≥", "at least"),
         Some(Cut::NotFinal) => ("~", "so far"),
         None => ("", ""),
     }

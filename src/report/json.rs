@@ -116,7 +116,6 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "sectors": answer.run.sectors.as_ref().map(sectors),
         "mesh_fold": answer.run.fold.map(|fold| folded(&fold)),
         "risks": crate::report::risks::json(answer),
-        "risks_without": answer.uncounted(),
         "no_risks_because": answer.silence(),
         "signs": SIGNS,
     });

@@ -1,6 +1,7 @@
 //! Results for people and for programs. It only prints what it is given.
 
 pub mod accuracy;
+pub mod bone;
 pub mod claims;
 pub mod command;
 pub mod compare;
@@ -11,6 +12,9 @@ pub mod first_page;
 pub mod format;
 pub mod hard_cases;
 pub mod json;
+pub mod look_for;
+pub mod outcome_fit;
+pub mod outcomes;
 pub mod pace;
 pub mod page;
 pub mod picture;

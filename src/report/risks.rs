@@ -1,35 +1,27 @@
-//! The answer first: one line an injury, in text and as JSON, and what it rests on.
+//! The answer first: a line an injury, in text and as JSON, and what it rests on.
 
 use crate::answer::solve::Answer;
-use crate::injury::{A_BB, AT_LEAST, EnergyCurve, Equivalent, Injury, Risk, SIGNS, whole};
+use crate::injury::{EnergyCurve, Injury, Risk, SIGNS, Share, whole};
 use crate::report::figure::Figure;
 use crate::report::format::{block, paragraph, significant};
+use crate::report::{bone, look_for};
 use crate::run::quantity::Quantity;
+use crate::scenario::Scenario;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// What to say of each injury, last of all of them; in one line why nothing is said, if so.
+/// What to say of each injury, a globe first and then by figure, and what holds of all of them; in
+/// one line why nothing is said, if so.
 pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
     if let Some(silence) = answer.silence() {
         return vec![("injuries", silence.to_owned())];
     }
-    let risks = answer.risks();
-    let shared = |note: &&&str| risks.iter().all(|risk| risk.notes.contains(*note));
-    let first = risks.first().into_iter().flat_map(|risk| &risk.notes);
-    let shared: Vec<&str> = first.filter(shared).copied().collect();
-    let line = |risk: &Risk| (risk.injury.name(), risk.words_but(&shared));
-    let mut lines: Vec<(&'static str, String)> = risks.iter().map(line).collect();
-    let spoiled = answer.spoiled().map(|spoiled| format!("{}: {}", spoiled.why, spoiled.next));
-    let of_all: Vec<&str> = spoiled.as_deref().into_iter().chain(shared).collect();
-    if !of_all.is_empty() {
-        lines.push(("all of them", of_all.join("; ")));
+    let line = |risk: &Risk| (risk.injury.name(), risk.words());
+    let mut lines: Vec<(&'static str, String)> = answer.risks().iter().map(line).collect();
+    if let Some(spoiled) = answer.spoiled() {
+        lines.push(("all of them", format!("{}: {}", spoiled.why, spoiled.next)));
     }
     lines
-}
-
-/// What a BB is, where any of these answers names one.
-pub fn legend<'a>(mut answers: impl Iterator<Item = &'a Answer>) -> Option<&'static str> {
-    answers.any(|answer| answer.silence().is_none()).then_some(A_BB)
 }
 
 /// The gravest of [`lines`] in one sentence.
@@ -41,27 +33,29 @@ pub fn first_line(answer: &Answer) -> String {
     format!("{name}: {words}{of_all}")
 }
 
-/// What the ranges do not hold yet, in words; none where they hold all.
-pub fn uncounted(answer: &Answer) -> Option<String> {
-    let missing = answer.uncounted();
-    let any = !missing.is_empty() && answer.silence().is_none();
-    any.then(|| missing.join(" and "))
+/// A risk as a table shows it, told and its range; none of what is no risk.
+pub fn cell(answer: &Answer, of: Quantity) -> Option<String> {
+    let risk = answer.risk(Injury::of(of)?)?;
+    let [told, range] = [risk.middle(), risk.range()].map(|said| said.replace(" %", ""));
+    let told = told.replace("under ", "<").replace("over ", ">");
+    Some(if told == range { told } else { format!("{told} ({range})") })
 }
 
-/// The range of a risk in %, as a table shows it; none of what is no risk.
-pub fn range(answer: &Answer, of: Quantity) -> Option<String> {
-    let percent = answer.risk(Injury::of(of)?)?.percent();
-    let number = percent.trim_end_matches(" %");
-    Some(number.replace(&format!("{AT_LEAST} "), "≥"))
-}
-
-/// Prints a line for each injury and the signs that count more than any of them.
-pub fn text(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+/// Prints a line for each injury, what to look for, and the signs that count more than any of them.
+pub fn text(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let mut lines = lines(answer).into_iter();
     lines.try_for_each(|(name, words)| paragraph(&format!("{name}: {words}"), out))?;
+    if let Some(bone) = bone::line(scenario, answer) {
+        paragraph(&bone, out)?;
+    }
     if answer.silence().is_none() {
-        let missing = uncounted(answer).map(|missing| format!(", without {missing}"));
-        paragraph(&format!("(ranges of 80 %{}; {A_BB})", missing.unwrap_or_default()), out)?;
+        paragraph("(in brackets: 8 of 10 of what it may be lie in it)", out)?;
+        writeln!(out, "\nWhat to look for")?;
+        for (name, words) in look_for::lines(answer, &answer.risks(), scenario.eye_side()) {
+            block(&format!("{name}: {words}"), "  ", "    ", out)?;
+        }
+        block(look_for::NOT_COMPUTED, "  ", "    ", out)?;
+        writeln!(out)?;
     }
     paragraph(SIGNS, out)
 }
@@ -76,61 +70,74 @@ pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     lines.iter().try_for_each(|line| block(line, "  ", "      ", out))
 }
 
-/// What one risk rests on: what its tissue felt, and what published curves say of the energy.
+/// What one risk rests on: what its tissue felt beside what hurts half, what was counted, and what
+/// laboratories published.
 pub fn basis(answer: &Answer, risk: &Risk) -> Vec<String> {
     let (injury, measure) = (risk.injury, risk.injury.measure());
-    let (curve, row) = (injury.curve(), measure.row());
+    let Some(blow) = &answer.case.blow else { return Vec::new() };
+    let row = measure.row();
     let felt = Figure::of(answer, measure).map_or_else(String::new, |felt| felt.to_string());
-    let (name, half) = (injury.name(), significant(curve.half * row.factor));
-    let (label, unit, matched) = (row.label, row.unit, curve.matched);
-    let felt = format!("{name}: {label} {felt}, 50 % at {half} {unit}, matched to {matched}");
-    let blow = &answer.case.blow;
-    let published = blow.energy.into_iter().flat_map(|energy| {
+    let point = blow.point(injury);
+    let half = significant(rounded(libm::exp10(point.log) * row.factor));
+    let known = libm::exp10(point.known);
+    let (name, label, unit) = (injury.name(), row.label, row.unit);
+    let of = if risk.clinic.is_some() { "fitted to clinics" } else { "of laboratories" };
+    let mut said =
+        vec![format!("{name}: {label} {felt}; 50 % at {half} {unit}, x or / {known:.1}, {of}")];
+    if let Some((outcome, objects)) = risk.counted {
+        let (count, source) = (outcome.count(), &outcome.source);
+        said.push(format!("seen in {count} ({objects}; {}): {source}", outcome.counted));
+    }
+    said.extend(blow.energy.into_iter().flat_map(|energy| {
         EnergyCurve::of(injury).map(move |curve| {
             let slope = if curve.slope_known { "" } else { "; slope assumed" };
             let (risk, source) = (whole(curve.risk(energy)), curve.source);
             let [energy, half] = [energy, curve.half].map(|joule| joule * 1e-3);
-            format!("by energy alone {risk} ({energy:.1} of {half:.1} kJ/m2): {source}{slope}")
+            format!(
+                "in laboratories by energy alone {risk} ({energy:.1} of {half:.1} kJ/m2): {source}{slope}"
+            )
         })
-    });
-    let mut said: Vec<String> = std::iter::once(felt).chain(published).collect();
-    if blow.tested == 0.0 && said.len() > 1 {
-        let published = said.split_off(1).join("; ");
-        said.push(format!("not counted, as {}: {published}", blow.untested));
-    }
+    }));
     said
+}
+
+/// To three digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 /// The risks as one object, a member for each injury.
 pub fn json(answer: &Answer) -> Value {
+    let percent = |share: Option<Share>, of: fn(&Share) -> f64| share.map(|share| 1e2 * of(&share));
     let one = |risk: &Risk| {
-        let (measure, blow) = (risk.injury.measure(), &answer.case.blow);
-        let curve = |curve: &EnergyCurve| {
+        let hit = risk.usable.then_some(risk.hit);
+        let clinic = risk.clinic.filter(|_| risk.usable);
+        let counted = risk.counted.map(|(outcome, objects)| {
             json!({
-                "source": curve.source,
-                "data": curve.data,
-                "half_at_kj_m2": curve.half * 1e-3,
-                "slope_published": curve.slope_known,
-                "percent": blow.energy.map(|energy| 100.0 * curve.risk(energy)),
+                "objects": objects,
+                "eyes": outcome.eyes,
+                "hurt": outcome.hurt,
+                "how": outcome.counted,
+                "source": outcome.source,
             })
-        };
+        });
         let object = json!({
-            "percent": risk.has_middle().then_some(100.0 * risk.risk),
-            "low_percent": 100.0 * risk.range.0,
-            "high_percent": 100.0 * risk.range.1,
-            "at_least": risk.at_least,
+            "hit_percent": percent(hit, |s| s.told),
+            "low_percent": percent(hit, |s| s.low),
+            "high_percent": percent(hit, |s| s.high),
+            "clinic_percent": percent(clinic, |s| s.told),
+            "clinic_low_percent": percent(clinic, |s| s.low),
+            "clinic_high_percent": percent(clinic, |s| s.high),
+            "laboratory_percent": percent(risk.laboratory, |s| s.told),
+            "laboratory_low_percent": percent(risk.laboratory, |s| s.low),
+            "laboratory_high_percent": percent(risk.laboratory, |s| s.high),
+            "counted": counted,
+            "rests_on": basis(answer, risk),
             "word": risk.word(),
-            "equivalent_bb_m_s": risk.usable.then(|| risk.equivalent.speed()),
-            "equivalent_bb_is": match risk.equivalent {
-                Equivalent::Under(_) => "under",
-                Equivalent::At(_) => "at",
-                Equivalent::Over(_) => "over",
-            },
-            "measure": measure.key(),
-            "half_at": risk.injury.curve().half * measure.row().factor,
-            "notes": risk.notes,
+            "may_grow": risk.cut,
+            "measure": risk.injury.measure().key(),
+            "of_what_hurts_half": risk.of_half,
             "text": risk.words(),
-            "published": EnergyCurve::of(risk.injury).map(curve).collect::<Value>(),
         });
         (risk.injury.key(), object)
     };
@@ -143,9 +150,9 @@ mod tests {
     use crate::answer::solve::tests::answered;
     use crate::scenario::library::tests::preset;
 
-    fn printed(answer: &Answer) -> String {
+    fn printed(scenario: &Scenario, answer: &Answer) -> String {
         let mut out = Vec::new();
-        text(answer, &mut out).unwrap();
+        text(scenario, answer, &mut out).unwrap();
         evidence(answer, &mut out).unwrap();
         let page = String::from_utf8(out).unwrap();
         assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
@@ -154,29 +161,32 @@ mod tests {
 
     #[test]
     fn every_injury_has_a_line_a_range_and_what_it_rests_on() {
-        let bb = answered(&preset("bb-56", &[]));
-        let (page, object) = (printed(&bb), json(&bb));
+        let scenario = preset("bb-56", &[]);
+        let bb = answered(&scenario);
+        let (page, object) = (printed(&scenario, &bb), json(&bb));
         for injury in Injury::ALL {
             assert!(page.contains(&format!("{}: ", injury.name())), "{page}");
             let risk = &object[injury.key()];
-            assert!(risk["low_percent"].as_f64() <= risk["percent"].as_f64());
-            assert!(risk["percent"].as_f64() <= risk["high_percent"].as_f64());
+            for of in ["hit", "clinic"] {
+                let low = if of == "hit" { "low_percent" } else { "clinic_low_percent" };
+                let high = if of == "hit" { "high_percent" } else { "clinic_high_percent" };
+                let told = risk[format!("{of}_percent")].as_f64();
+                assert!(risk[low].as_f64() <= told && told <= risk[high].as_f64(), "{risk}");
+            }
         }
-        let more = ["without the mesh and the inputs", "eye doctor", "Duma 2005", "slope assumed"];
-        for words in more {
+        for words in ["What to look for", "eye doctor", "Duma 2005", "slope assumed"] {
             assert!(page.contains(words), "{words} in\n{page}");
         }
-        let cell = range(&bb, Quantity::GlobeRupture).unwrap();
-        let risk = bb.risk(Injury::GlobeRupture).unwrap();
-        assert_eq!(format!("{cell} %"), risk.percent());
-        assert_eq!(range(&bb, Quantity::Pressure), None);
+        assert!(page.find("globe rupture").unwrap() < page.find("hyphema").unwrap());
+        assert_eq!(cell(&bb, Quantity::Pressure), None);
     }
 
     #[test]
     fn a_pulse_on_the_section_says_in_one_line_why_there_are_no_injuries() {
-        let paper = answered(&preset("paper-300n", &[]));
+        let scenario = preset("paper-300n", &[]);
+        let paper = answered(&scenario);
         assert_eq!(lines(&paper).len(), 1);
-        assert!(printed(&paper).starts_with("injuries: not told: "));
+        assert!(printed(&scenario, &paper).starts_with("injuries: not told: "));
         assert_eq!(json(&paper), json!({}));
     }
 }

@@ -31,7 +31,7 @@ pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io:
     let mesh = format!("mesh level {level}: {nodes} nodes{cut}, {elements} {kind}{all}");
     paragraph(&format!("{what}; {mesh}"), out)?;
     writeln!(out)?;
-    risks::text(answer, out)?;
+    risks::text(scenario, answer, out)?;
     writeln!(out)?;
     damage(answer, out)?;
     // The parts of the index stand above; an object that missed has no force of contact.

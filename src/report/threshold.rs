@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::injury::{A_BB, SIGNS, whole};
+use crate::injury::{SIGNS, whole};
 use crate::many::threshold::{Crossing, Threshold, ThresholdSearch};
 use crate::plain_text::printable;
 use crate::report::figure::{allowing, with_unit};
@@ -85,7 +85,7 @@ pub fn text(
                 None => "range not known".to_owned(),
             });
             let name = there.risk.injury.name();
-            more.push(format!("there {name}: {}; {A_BB}", there.risk.words()));
+            more.push(format!("there {name}: {}", there.risk.words()));
         }
         let flags = crossing.flags.iter();
         more.extend(flags.map(|flag| format!("FLAG {}: {}", flag.kind.name(), flag.whole())));

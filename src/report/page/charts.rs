@@ -5,7 +5,6 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use crate::answer::solve::Answer;
-use crate::injury::Blow;
 use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::format::trimmed;
@@ -28,6 +27,7 @@ const COLOURS: [RGBColor; 6] = [
 /// What a curve is called, and its points.
 type Curve = (String, Vec<(f64, f64)>);
 
+#[derive(Default)]
 pub struct PageChart {
     pub across: &'static str,
     pub up: String,
@@ -161,16 +161,14 @@ pub fn drives(entries: &[Entry]) -> PageChart {
 pub fn injuries(answer: &Answer) -> PageChart {
     let (mut curves, mut marks) = (Vec::new(), Vec::new());
     // The gravest first, and no more than can be told apart.
-    let of_tissue = Blow { tested: 0.0, ..answer.case.blow };
+    let Some(blow) = &answer.case.blow else { return PageChart::default() };
     for (i, risk) in answer.risks().iter().take(COLOURS.len()).enumerate() {
-        let half = risk.injury.curve().half;
-        let at = (risk.known.value / half).min(2.0);
         let point = |k: u32| {
             let share = 0.02 * f64::from(k);
-            (share, 100.0 * risk.injury.risk(&of_tissue, share * half))
+            (share, 100.0 * blow.point(risk.injury).share(share))
         };
         curves.push((risk.injury.name().to_owned(), (0..=100).map(point).collect()));
-        marks.push((i, (at, 100.0 * risk.risk)));
+        marks.push((i, (risk.of_half.min(2.0), 100.0 * risk.hit.told)));
     }
     let across = "what the tissue felt, as a share of what hurts half of all eyes";
     PageChart { across, up: "risk, %".to_owned(), curves, marks }

@@ -6,7 +6,7 @@ use crate::many::comparison::Entry;
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, cut_before, with_unit};
 use crate::report::format::{capital, or_dash, percent};
-use crate::report::{risks::legend, text::remark};
+use crate::report::text::remark;
 use crate::run::kept::{Keep, Spacing};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
@@ -37,11 +37,10 @@ pub(super) fn spacing(window: f64, frames: f64) -> Spacing {
 }
 
 /// The version that answered, and what counts more than any result.
-pub(super) fn closing(entries: &[Entry]) -> String {
+pub(super) fn closing() -> String {
     let commit = crate::report::commit().map(|commit| format!(", commit {commit}"));
     let (version, commit) = (env!("CARGO_PKG_VERSION"), commit.unwrap_or_default());
-    let bb = legend(entries.iter().filter_map(Entry::answer)).map(|bb| capital(bb) + ". ");
-    format!("contrecoup {version}{commit}. {}{SIGNS}", bb.unwrap_or_default())
+    format!("contrecoup {version}{commit}. {SIGNS}")
 }
 
 /// What is asked of a blow: the fields of impact and model, and whatever else is not as usual.

@@ -11,7 +11,8 @@ use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::format::{capital, percent};
 use crate::report::page::content::{closing, inputs, mesh, rows, sources};
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::risks::{first_line, lines, uncounted};
+use crate::report::risks::{first_line, lines};
+use crate::report::{bone, look_for};
 use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
 use crate::scenario::{Scenario, load::to_ron};
@@ -42,7 +43,7 @@ pub fn page(entries: &[Entry], command: Option<&str>, watch: Watch) -> ControlFl
                 footer {
                     @if let Some(command) = command { p { "The same again: " code { (command) } } }
                     ol { @for source in sources(entries) { li { (source) } } }
-                    p { (closing(entries)) }
+                    p { (closing()) }
                 }
                 script { (PreEscaped(include_str!("replay.js"))) }
             }
@@ -76,9 +77,6 @@ fn comparison(entries: &[Entry]) -> Markup {
                 @if let Some(answer) = entry.answer() {
                     p.verdict {
                         strong { (printable(&entry.name)) } ": " (first_line(answer))
-                        @if let Some(missing) = uncounted(answer) {
-                            " (ranges still without " (missing) ")"
-                        }
                     }
                 }
             }
@@ -112,8 +110,14 @@ fn blow(entry: &Entry) -> Markup {
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
                     @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
-                    @if let Some(missing) = uncounted(answer) {
-                        p.note { "Ranges of 80 %, still without " (missing) "." }
+                    p.note { "In brackets: 8 of 10 of what it may be lie in it." }
+                    @if let Some(bone) = bone::line(scenario, answer) { p.verdict { (bone) } }
+                    @if answer.silence().is_none() {
+                        h2 { "What to look for" }
+                        @for (name, words) in look_for::lines(answer, &answer.risks(), scenario.eye_side()) {
+                            p.note { strong { (name) } ": " (words) }
+                        }
+                        p.note { (look_for::NOT_COMPUTED) }
                     }
                     @if let Some(why) = unusable(answer) { p.flag { (why) } }
                     @for flag in &answer.flags {

@@ -21,7 +21,7 @@ pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> i
     if let Some(command) = command {
         writeln!(out, "\nThe same again:\n\n    {command}")?;
     }
-    writeln!(out, "\n{}", closing(entries))
+    writeln!(out, "\n{}", closing())
 }
 
 fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {

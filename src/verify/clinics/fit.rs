@@ -103,30 +103,8 @@ pub fn fit<'a>(
 impl Fitted {
     /// A draw of the unknowns: the same number gives the same for good.
     pub fn draw(&self, number: u32) -> DVector<f64> {
-        let normal = DVector::from_fn(UNKNOWNS, |i, _| {
-            let share = f64::from(sobol_burley::sample(number, i as u32, 1));
-            normal::quantile(share.clamp(1e-6, 1.0 - 1e-6))
-        });
+        let normal = DVector::from_fn(UNKNOWNS, |i, _| normal_draw(number, i));
         &self.at + &self.root * normal
-    }
-
-    /// ln of the mean chance of each row of `rows`, which need not be those that were fitted.
-    pub fn scores<'a>(
-        &self,
-        felt: &[FeltRow],
-        rows: impl Iterator<Item = &'a Outcome>,
-        choices: Choices,
-    ) -> Vec<f64> {
-        let asked = Posterior::new(felt, rows, choices);
-        let all: Vec<Vec<f64>> =
-            (0..DRAWS).into_par_iter().map(|n| asked.rows(&self.draw(n))).collect();
-        let count = all.first().map_or(0, Vec::len);
-        let mean = |i: usize| {
-            let most = all.iter().map(|row| row[i]).fold(f64::NEG_INFINITY, f64::max);
-            let sum: f64 = all.iter().map(|row| libm::exp(row[i] - most)).sum();
-            most + libm::log(sum / f64::from(DRAWS))
-        };
-        (0..count).map(mean).collect()
     }
 }
 
@@ -198,65 +176,143 @@ pub fn as_ron(table: &[FittedInjury]) -> String {
     text + "]\n"
 }
 
-/// How well rows are told: fitted with them, and with their kind left out.
+/// How well a row is told, by ln of the chance of its count.
 #[derive(Debug, Clone)]
 pub struct Scored {
     /// The row.
     pub row: &'static Outcome,
-    /// ln of its chance after a fit to all.
+    /// The share that the most likely points tell.
+    pub told: f64,
+    /// After a fit to all.
     pub fitted: f64,
-    /// The same after a fit without its kind.
+    /// After a fit without its kind.
     pub left_out: f64,
+    /// By the laboratory's points alone.
+    pub laboratory: f64,
 }
 
-/// The rows that a fit takes.
+/// Mean scores of rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeanScore {
+    /// How many rows.
+    pub rows: usize,
+    /// Fitted with them.
+    pub fitted: f64,
+    /// With their kind left out.
+    pub left_out: f64,
+    /// By the laboratory's points alone.
+    pub laboratory: f64,
+}
+
+/// A fit with the score of each row of one kind.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// The fit to all rows.
+    pub fitted: Fitted,
+    /// Each row of one kind.
+    pub scored: Vec<Scored>,
+}
+
+impl Study {
+    /// The mean score of the rows that `holds`.
+    pub fn mean(&self, holds: impl Fn(&Outcome) -> bool) -> MeanScore {
+        let of: Vec<&Scored> = self.scored.iter().filter(|s| holds(s.row)).collect();
+        let mean = |score: fn(&Scored) -> f64| {
+            of.iter().map(|scored| score(scored)).sum::<f64>() / of.len() as f64
+        };
+        MeanScore {
+            rows: of.len(),
+            fitted: mean(|s| s.fitted),
+            left_out: mean(|s| s.left_out),
+            laboratory: mean(|s| s.laboratory),
+        }
+    }
+}
+
+/// The rows that the shipped points are fitted to.
 pub fn fitted_rows() -> impl Iterator<Item = &'static Outcome> + Clone {
     outcomes().iter().filter(|row| !row.fit.is_empty())
 }
 
-/// Fits to all, and without each kind in turn, and scores every row of one kind.
-pub fn study(felt: &[FeltRow], choices: Choices) -> (Fitted, Vec<Scored>) {
-    let whole = fit(felt, fitted_rows(), choices);
-    let of = |kind: usize| {
-        fitted_rows().filter(move |row| row.kinds() == [kind] && row.fit != "laboratory")
-    };
-    let scored: Vec<Vec<Scored>> = (0..KINDS.len())
-        .into_par_iter()
-        .map(|kind| {
-            let rest = fitted_rows().filter(|row| !row.kinds().contains(&kind));
-            if of(kind).next().is_none() {
-                return Vec::new();
+/// Those of them that models are compared on.
+pub fn first_rows() -> impl Iterator<Item = &'static Outcome> + Clone {
+    fitted_rows().filter(|row| row.fit != "more")
+}
+
+/// Fits to rows, and without each kind in turn, and scores every row of one kind.
+pub fn study<I>(felt: &[FeltRow], rows: I, choices: Choices) -> Study
+where
+    I: Iterator<Item = &'static Outcome> + Clone + Send + Sync,
+{
+    let whole = fit(felt, rows.clone(), choices);
+    let scored = (0..KINDS.len()).into_par_iter().map(|kind| {
+        let single = |row: &&Outcome| row.kinds() == [kind] && row.fit != "laboratory";
+        let own: Vec<&'static Outcome> = rows.clone().filter(single).collect();
+        if own.is_empty() {
+            return Vec::new();
+        }
+        let of = || own.iter().copied();
+        let without = fit(felt, rows.clone().filter(|row| !row.kinds().contains(&kind)), choices);
+        let asked = Posterior::new(felt, of(), choices);
+        let scores = [
+            mean_chances(&asked, |n| whole.draw(n)),
+            mean_chances(&asked, |n| without.draw(n)),
+            mean_chances(&asked, of_laboratory),
+        ];
+        let row = |(i, row): (usize, &'static Outcome)| {
+            let injury = row.injury().map_or(0, |injury| injury as usize);
+            Scored {
+                row,
+                told: whole.posterior.told(&whole.at, kind, row.setting)[injury],
+                fitted: scores[0][i],
+                left_out: scores[1][i],
+                laboratory: scores[2][i],
             }
-            let without = fit(felt, rest, choices);
-            let fitted = whole.scores(felt, of(kind), choices);
-            let left_out = without.scores(felt, of(kind), choices);
-            let rows = of(kind).zip(fitted).zip(left_out);
-            rows.map(|((row, fitted), left_out)| Scored { row, fitted, left_out }).collect()
-        })
-        .collect();
-    (whole, scored.concat())
+        };
+        of().enumerate().map(row).collect()
+    });
+    let scored: Vec<Vec<Scored>> = scored.collect();
+    Study { fitted: whole, scored: scored.concat() }
+}
+
+/// ln of the mean chance of each row over draws of the unknowns.
+fn mean_chances(asked: &Posterior, draw: impl Fn(u32) -> DVector<f64> + Sync) -> Vec<f64> {
+    let all: Vec<Vec<f64>> =
+        (0..DRAWS).into_par_iter().map(|n| asked.rows(&draw(n))).collect();
+    let mean = |i: usize| {
+        let most = all.iter().map(|row| row[i]).fold(f64::NEG_INFINITY, f64::max);
+        let sum: f64 = all.iter().map(|row| libm::exp(row[i] - most)).sum();
+        most + libm::log(sum / f64::from(DRAWS))
+    };
+    (0..all.first().map_or(0, Vec::len)).map(mean).collect()
+}
+
+/// A draw of the curves that a laboratory's points alone make: the thing to beat.
+fn of_laboratory(number: u32) -> DVector<f64> {
+    let mut at = Posterior::start(0.0);
+    for (j, injury) in Injury::ALL.iter().enumerate() {
+        let curve = injury.curve();
+        at[j] += curve.known * normal_draw(number, j);
+        at[Injury::ALL.len() + j] = libm::log(curve.eyes);
+    }
+    at
+}
+
+/// A number of a standard normal distribution: the same for good.
+fn normal_draw(number: u32, dimension: usize) -> f64 {
+    let share = f64::from(sobol_burley::sample(number, dimension as u32, 1));
+    normal::quantile(share.clamp(1e-6, 1.0 - 1e-6))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::injury::points::Covariance;
+    use crate::injury::points::fitted;
     use crate::verify::clinics::felt::stored;
-
-    fn var(name: &str, usual: f64) -> f64 {
-        std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual)
-    }
 
     #[test]
     fn slopes_and_curvatures_are_those_of_the_density() {
-        let choices = Choices {
-            concentration: 20.0,
-            derived: 0.5,
-            common_shift: 0.1,
-            laboratory: 0.25,
-            prior: 0.2,
-            covariance: Covariance { shared: 0.7, near: 0.3 },
-        };
+        let choices = Choices { derived: 0.5, ..CHOICES };
         let posterior = Posterior::new(&stored(), fitted_rows(), choices);
         // Nowhere special.
         let at = Posterior::start(0.1).map_with_location(|i, _, x| x + 0.05 * libm::sin(i as f64));
@@ -278,42 +334,26 @@ mod tests {
     }
 
     #[test]
-    fn explore() {
-        let choices = Choices {
-            concentration: var("CONC", 20.0),
-            derived: var("DERIVED", 1.0),
-            common_shift: var("COMMON", 0.1),
-            laboratory: 0.25,
-            prior: 0.2,
-            covariance: Covariance { shared: var("SHARED", 0.7), near: var("NEAR", 0.3) },
-        };
-        let began = std::time::Instant::now();
-        let felt = stored();
-        let (whole, scored) = study(&felt, choices);
-        println!("took {:?}, value {}", began.elapsed(), whole.value);
-        let mean = |of: &dyn Fn(&Scored) -> f64, fit: &str| {
-            let rows: Vec<f64> = scored.iter().filter(|s| s.row.fit == fit).map(of).collect();
-            (rows.iter().sum::<f64>() / rows.len() as f64, rows.len())
-        };
-        println!("first: fitted {:?} left out {:?}", mean(&|s| s.fitted, "first"), mean(&|s| s.left_out, "first"));
-        println!("more: fitted {:?} left out {:?}", mean(&|s| s.fitted, "more"), mean(&|s| s.left_out, "more"));
-        for s in &scored {
-            println!("{:24} {:12} {:18} {:>4}/{:<4} {:.2} {:.2}", s.row.study.chars().take(24).collect::<String>(), s.row.kinds, s.row.injury, s.row.hurt, s.row.eyes, s.fitted, s.left_out);
+    fn what_is_shipped_is_what_the_stored_runs_give_again() {
+        let found = fit(&stored(), fitted_rows(), CHOICES).table();
+        for (found, shipped) in found.iter().zip(fitted()) {
+            assert!((found.eyes / shipped.eyes - 1.0).abs() < 0.01, "{found:?}");
+            assert!((found.kinds_differ / shipped.kinds_differ - 1.0).abs() < 0.01, "{found:?}");
+            for (found, shipped) in found.points.iter().zip(&shipped.points) {
+                assert!((found.half / shipped.half - 1.0).abs() < 0.01, "{found:?} {shipped:?}");
+                assert!((found.known / shipped.known - 1.0).abs() < 0.02, "{found:?} {shipped:?}");
+            }
         }
-        for j in 0..6 {
-            println!("{j} mu {:.3} sigma {:.3} kappa {:.3} lambda {:.3}", libm::exp10(whole.at[j]), libm::exp(whole.at[6 + j]), libm::exp(whole.at[12 + j]), whole.at[18 + j]);
+    }
+
+    #[test]
+    fn stored_runs_come_out_again() {
+        let rows = stored();
+        let cheap = rows.iter().filter(|row| row.direction == 0 && row.cornea_kj_m2.is_some());
+        for row in cheap.filter(|row| ["airsoft", "gel-ball", "cork"].contains(&&*row.kind)) {
+            assert_eq!(row.rerun(), *row);
         }
-        println!("common {:.3}", whole.at[UNKNOWNS - 1]);
-        if let Ok(path) = std::env::var("POINTS") {
-            std::fs::write(path, as_ron(&whole.table())).unwrap();
-        }
-        for (k, kind) in KINDS.iter().enumerate() {
-            let points: Vec<String> = (0..6).map(|j| {
-                let slope = whole.posterior.point_slope(&whole.at, k, j);
-                let sd = (slope.transpose() * &whole.covariance * &slope)[(0, 0)].sqrt();
-                format!("{:.2} x{:.2}", libm::exp10(whole.posterior.point(&whole.at, k, j)), libm::exp10(sd))
-            }).collect();
-            println!("{:12} {}", kind.key, points.join("  "));
-        }
+        let aslant = rows.iter().find(|row| row.kind == "gel-ball" && row.direction == 1).unwrap();
+        assert_eq!(aslant.rerun(), *aslant);
     }
 }
