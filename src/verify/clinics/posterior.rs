@@ -205,16 +205,6 @@ impl Posterior {
         })
     }
 
-    /// log10 of the point of 50 % of all kinds together.
-    pub fn all(&self, at: &DVector<f64>, injury: usize) -> f64 {
-        at[injury]
-    }
-
-    /// How that changes with the unknowns.
-    pub fn all_slope(&self, injury: usize) -> DVector<f64> {
-        DVector::from_fn(UNKNOWNS, |i, _| f64::from(u8::from(i == injury)))
-    }
-
     /// How eyes and kinds differ, and the place of what laboratories add.
     pub fn spreads(&self, at: &DVector<f64>, injury: usize) -> (f64, f64, usize) {
         (exp(at[INJURIES + injury]), Self::kappa(at, injury), LAMBDA + injury)
