@@ -3,11 +3,8 @@
 
 use std::sync::Arc;
 
-use crate::answer::solve::Answer;
-use crate::injury::Injury;
-use crate::many::bands::Band;
 use crate::many::ensemble::{Ensemble, run};
-use crate::run::{quantity::Quantity, refusal::Refusal, watch::Watch};
+use crate::run::{refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
 use crate::tui::{request::TaskQuestion, task::Task, worker::idle_pool, worker::run_watched};
 
@@ -97,36 +94,6 @@ impl Samples {
 /// Whether the bands hold every sample that was asked for and none whose mesh folded.
 pub fn is_whole(ensemble: &Ensemble) -> bool {
     ensemble.valid().count() >= ensemble.asked as usize && ensemble.folded() == 0
-}
-
-/// The answer's own range of a risk, in %.
-fn own(answer: &Answer, of: Quantity) -> Option<Band> {
-    let risk = answer.risk(Injury::of(of)?)?;
-    Some(Band { low: 100.0 * risk.range.0, median: 100.0 * risk.risk, high: 100.0 * risk.range.1 })
-}
-
-/// The band that is shown: of a risk the wider of the samples' and its own; whether the samples'.
-pub fn shown_band(
-    ensemble: &Ensemble,
-    answer: Option<&Answer>,
-    of: Quantity,
-) -> Option<(Band, bool)> {
-    let band = ensemble.band(of)?;
-    let wide = |band: Band| band.high - band.low;
-    Some(match answer.and_then(|answer| own(answer, of)) {
-        Some(own) if wide(band) > wide(own) => (band, true),
-        Some(own) => (own, false),
-        None => (band, false),
-    })
-}
-
-/// The injuries whose ranges the samples of the inputs widen, each with the wider one, in %.
-pub fn widened(ensemble: &Ensemble, answer: &Answer) -> Vec<(Injury, Band)> {
-    let wider = |injury: &Injury| {
-        let (band, wider) = shown_band(ensemble, Some(answer), injury.result())?;
-        wider.then_some((*injury, band))
-    };
-    Injury::ALL.iter().filter_map(wider).collect()
 }
 
 /// The scenario without its name, which changes no sample.

@@ -3,6 +3,7 @@
 //! Rows, ranges and steps come from the registry of fields. A new field shows up here by itself:
 //! among the first rows if it belongs to the blow, folded away if it does not.
 
+use crate::scenario::direction::Directions;
 use crate::scenario::fields::{Bounds, FIELDS, Field, Kind};
 use crate::scenario::set::{put_number, set};
 use crate::scenario::{Impact, Model, Scenario};
@@ -69,17 +70,24 @@ pub struct Typing {
 
 /// Whether a field belongs to the question itself, not to the anatomy or the numerics.
 fn is_basic(field: &Field) -> bool {
-    ["model", "impact", "window_ms"].contains(&field.path) || field.path.starts_with("impact.")
+    let others = ["model", "model.eye_side", "impact", "window_ms"];
+    others.contains(&field.path) || field.path.starts_with("impact.")
 }
 
-/// Whether a field says nothing: the hour of a blow that comes straight on, or at the centre.
+/// Whether a field says nothing: the hour of a blow that comes straight on or at the centre, both
+/// where nobody knows from where it came, and which eye a force acts on.
 fn is_idle(field: &Field, scenario: &Scenario) -> bool {
     match (field.path, &scenario.impact) {
+        ("model.eye_side", Impact::ForcePulse(_)) => true,
+        (ANGLE | OFFSET, Impact::Projectile(object)) => object.directions == Directions::NotKnown,
         ("impact.angle_clock", Impact::Projectile(object)) => object.angle_deg == 0.0,
         ("impact.offset_clock", Impact::Projectile(object)) => object.offset_mm == 0.0,
         _ => false,
     }
 }
+
+const ANGLE: &str = "impact.angle_deg";
+const OFFSET: &str = "impact.offset_mm";
 
 /// The rows, from the top.
 pub fn rows(scenario: &Scenario, advanced: bool) -> Vec<FormRow> {

@@ -4,7 +4,7 @@
 use crate::answer::solve::Answer;
 use crate::scenario::Scenario;
 use crate::tui::request::TaskQuestion as _;
-use crate::tui::simulation::{Complete, Simulate, first_estimate};
+use crate::tui::simulation::{Complete, Simulate};
 use crate::tui::{clock::Clock, ensemble::Samples, form::ScenarioForm, guest, picker::Choice};
 use crate::tui::{keys::chosen::Keys, look::Look, outbox::Outbox, overlay::Overlay};
 use crate::tui::{page::WritePage, shown::ShownAnswer, task::Task, undo::History, work::Work};
@@ -23,13 +23,11 @@ pub struct AppModel {
     pub form: ScenarioForm,
     /// The last good result, if there ever was one.
     pub shown: Option<ShownAnswer>,
-    /// What was on show before a first estimate took its place.
-    pub finished: Option<ShownAnswer>,
     /// What that is the answer to, with the name it had.
     pub answered: Option<Work>,
     /// The answer to the newest edit.
     pub run: Task<Simulate>,
-    /// What the ranges of the answer on show do not hold yet.
+    /// The mesh error of the answer on show.
     pub rest: Task<Complete>,
     pub page: Task<WritePage>,
     pub overlay: Option<Overlay>,
@@ -58,11 +56,6 @@ pub struct AppModel {
     /// What is to be done outside.
     pub out: Outbox,
 }
-
-/// Said of what is on show until the eye in three dimensions is computed.
-pub const FIRST_ESTIMATE: &str = "first estimate";
-/// The same where there is room.
-pub const AS_IF_STRAIGHT_ON: &str = "first estimate, as if straight on";
 
 impl AppModel {
     /// Whether what is shown can be seen from the front; says why not where there is something.
@@ -94,12 +87,6 @@ impl AppModel {
     /// Why the result on show is not that of the form, if it is not.
     pub fn stale(&self) -> Option<&'static str> {
         let other = |shown: &ShownAnswer| shown.scenario != self.work.scenario;
-        let is_first = |shown: &ShownAnswer| {
-            other(shown) && first_estimate(&self.work.scenario).as_ref() == Some(&shown.scenario)
-        };
-        if self.shown.as_ref().is_some_and(is_first) {
-            return Some(FIRST_ESTIMATE);
-        }
         if self.run.complaint.is_some() {
             return Some("last good result");
         }
@@ -125,7 +112,7 @@ impl AppModel {
     pub fn ahead(&self) -> Option<String> {
         let rest = || {
             let done = self.rest.job.as_ref()?.pace?.done(None);
-            Some(format!("mesh and inputs {done}"))
+            Some(format!("mesh error {done}"))
         };
         let samples = || {
             let job = self.ensemble.task.job.as_ref()?;

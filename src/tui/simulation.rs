@@ -1,13 +1,12 @@
-//! The answer to the form, asked for at every edit, and what its ranges do not hold yet: the mesh
-//! error, and what the inputs are not known to.
+//! The answer to the form, asked for at every edit, and the mesh error of its figures, which is
+//! estimated while nothing else is wanted.
 
 use crate::answer::mesh_error::{MeshError, MeshQuery};
 use crate::answer::solve::{Answer, solve};
-use crate::answer::{input_doubt::InputQuery, results::InputDoubt};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{refusal::Refusal, watch::Watch};
-use crate::scenario::{Geometry, Impact, Scenario};
-use crate::tui::{request::TaskQuestion, worker::idle_pool, worker::run_watched};
+use crate::scenario::{Impact, Scenario};
+use crate::tui::request::TaskQuestion;
 
 /// Frames that a replay keeps.
 const FRAMES: f64 = 400.0;
@@ -28,95 +27,30 @@ impl TaskQuestion for Simulate {
     fn answer(&self, watch: Watch) -> Result<Answer, Refusal> {
         solve(&self.0.check()?, keep(&self.0), watch)
     }
-
-    fn fill_in(&self, watch: Watch, show: &mut dyn FnMut(Answer)) -> Result<Answer, Refusal> {
-        if let Some(first) = first_estimate(&self.0) {
-            let first = Self(first).answer(&mut |_| watch(0.0));
-            if let Ok(first) = first {
-                show(first);
-            }
-        }
-        self.answer(watch)
-    }
 }
 
-/// The same blow straight on, where the eye in three dimensions takes long to answer.
-pub fn first_estimate(scenario: &Scenario) -> Option<Scenario> {
-    let mut first = scenario.clone();
-    first.numerics.geometry = Geometry::Auto;
-    if let Impact::Projectile(projectile) = &mut first.impact {
-        (projectile.angle_deg, projectile.offset_mm) = (0.0, 0.0);
-    }
-    let slow = scenario.is_spatial();
-    (slow && first.check().is_ok()).then_some(first)
-}
-
-/// Asks for what the ranges of an answer do not hold yet.
+/// Asks for the mesh error of an answer.
 #[derive(Debug)]
 pub struct Complete {
     /// What was answered.
     pub scenario: Scenario,
-    mesh: Option<MeshQuery>,
-    inputs: InputQuery,
-}
-
-/// What completes an answer: first the mesh error, then both.
-#[derive(Debug, Clone)]
-pub struct Completion {
-    /// None where it is known already or was refused.
-    pub mesh: Option<MeshError>,
-    /// None while it is being counted.
-    pub inputs: Option<InputDoubt>,
+    mesh: MeshQuery,
 }
 
 impl Complete {
-    /// The question for the answer to a scenario.
-    pub fn of(scenario: &Scenario, answer: &Answer) -> Self {
-        Self {
-            scenario: scenario.clone(),
-            mesh: answer.errors.mesh.is_none().then(|| MeshQuery::of(answer)),
-            inputs: InputQuery::of(answer),
-        }
-    }
-}
-
-impl Completion {
-    /// Takes it into its answer, whose ranges it only widens: by an error, and in quadrature.
-    pub fn put(self, answer: &mut Answer) {
-        if let Some(mesh) = self.mesh.filter(|_| answer.errors.mesh.is_none()) {
-            answer.add(mesh);
-        }
-        answer.inputs = self.inputs.or(answer.inputs);
+    /// The question for the answer to a scenario; none where it is known, or takes too long as in
+    /// three dimensions.
+    pub fn of(scenario: &Scenario, answer: &Answer) -> Option<Self> {
+        let open = answer.errors.mesh.is_none() && !scenario.is_spatial();
+        open.then(|| Self { scenario: scenario.clone(), mesh: MeshQuery::of(answer) })
     }
 }
 
 impl TaskQuestion for Complete {
-    type Answer = Completion;
+    type Answer = MeshError;
 
-    fn answer(&self, watch: Watch) -> Result<Completion, Refusal> {
-        self.fill_in(watch, &mut |_| {})
-    }
-
-    fn fill_in(
-        &self,
-        watch: Watch,
-        show: &mut dyn FnMut(Completion),
-    ) -> Result<Completion, Refusal> {
-        let (scenario, mut first) = (&self.scenario, |share: f64| watch(0.5 * share));
-        let mesh = match self.mesh.map(|mesh| mesh.estimate(scenario, &mut first)) {
-            Some(Err(Refusal::Cancelled)) => return Err(Refusal::Cancelled),
-            mesh => mesh.and_then(Result::ok),
-        };
-        let mut parts = Completion { mesh, inputs: None };
-        show(parts.clone());
-        let mut second = |share: f64| watch(0.5 + 0.5 * share);
-        let inputs = run_watched(&mut second, &mut |()| {}, |stop, progress| {
-            // `stop` tells it to end.
-            let told = |share| _ = progress.report(share, || ());
-            idle_pool().install(|| self.inputs.estimate(scenario, stop, told))
-        });
-        parts.inputs = Some(inputs?);
-        Ok(parts)
+    fn answer(&self, watch: Watch) -> Result<MeshError, Refusal> {
+        self.mesh.estimate(&self.scenario, watch)
     }
 
     fn is_idle(&self) -> bool {
@@ -124,9 +58,10 @@ impl TaskQuestion for Complete {
     }
 }
 
-/// Whether two scenarios have one answer, which neither a title nor a doubt changes.
+/// Whether two scenarios have one answer, which no title changes, and a doubt only of an object.
 pub(super) fn is_alike(a: &Scenario, b: &Scenario) -> bool {
-    let same = Scenario { name: b.name.clone(), doubt: b.doubt.clone(), ..a.clone() };
+    let doubt = if a.projectile().is_some() { &a.doubt } else { &b.doubt };
+    let same = Scenario { name: b.name.clone(), doubt: doubt.clone(), ..a.clone() };
     same == *b
 }
 
@@ -161,33 +96,29 @@ pub fn keep(scenario: &Scenario) -> Keep {
 mod tests {
     use super::*;
     use crate::run::watch::unwatched;
-    use crate::scenario::library::find;
+    use crate::scenario::library::tests::preset;
 
-    /// The ranges of all risks.
-    fn ranges(answer: &Answer) -> Vec<(f64, f64)> {
-        answer.risks().iter().map(|risk| risk.range).collect()
+    #[test]
+    fn risks_are_final_when_they_appear_and_only_flat_and_axisymmetric_eyes_have_a_mesh_error() {
+        for (name, open) in [("bb-56", true), ("paper-300n", true), ("squash-ball", false)] {
+            let scenario = preset(name, &[("window_ms", "0.1")]);
+            let mut answer = Simulate(scenario.clone()).answer(&mut unwatched).unwrap();
+            let before = answer.risks();
+            let question = Complete::of(&scenario, &answer);
+            assert_eq!(question.is_some(), open);
+            let Some(question) = question else { continue };
+            answer.add(question.answer(&mut unwatched).unwrap());
+            assert!(answer.risks() == before && Complete::of(&scenario, &answer).is_none());
+        }
     }
 
     #[test]
-    fn each_part_of_what_completes_an_answer_only_widens_its_ranges() {
-        for preset in ["bb-56", "squash-ball", "paper-300n"] {
-            let scenario = find(preset).unwrap().scenario().unwrap();
-            let mut answer = Simulate(scenario.clone()).answer(&mut unwatched).unwrap();
-            let mut before = ranges(&answer);
-            let question = Complete::of(&scenario, &answer);
-            let mut parts = Vec::new();
-            let whole = question.fill_in(&mut unwatched, &mut |part| parts.push(part)).unwrap();
-            assert!(parts.len() == 1 && parts[0].inputs.is_none() && parts[0].mesh.is_some());
-            parts.push(whole);
-            for part in parts {
-                part.put(&mut answer);
-                let after = ranges(&answer);
-                for (before, after) in before.iter().zip(&after) {
-                    assert!(after.0 <= before.0 && before.1 <= after.1);
-                }
-                before = after;
-            }
-            assert!(answer.uncounted().is_empty());
-        }
+    fn a_doubt_about_an_object_is_another_answer_and_a_title_is_not() {
+        let bb = preset("bb-56", &[]);
+        let doubted = preset("bb-56", &[("impact.speed_m_s", "56 ± 5")]);
+        let titled = Scenario { name: "other".to_owned(), ..bb.clone() };
+        assert!(is_alike(&bb, &titled) && !is_alike(&bb, &doubted));
+        let paper = preset("paper-300n", &[]);
+        assert!(is_alike(&paper, &preset("paper-300n", &[("impact.force_n", "300 ± 20")])));
     }
 }

@@ -319,7 +319,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
             limits: None,
             energy_balance: 1e-3,
         },
-        inputs: None,
+        others: Vec::new(),
         flags: flags(fold),
         element_evaluations: 8_000_000,
         solve_time: Duration::from_millis(10),

@@ -24,7 +24,6 @@ use std::time::Duration;
 
 mod dial;
 mod doubt;
-mod first_estimate;
 mod keys;
 mod map;
 mod mouse;

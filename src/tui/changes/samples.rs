@@ -6,7 +6,7 @@ use crate::tui::ensemble::{FEW, MANY, RunSamples, key};
 use crate::tui::shown::ShownAnswer;
 use crate::tui::{changes::simulation, guest::MOST_SAMPLES, model::AppModel, request::Report};
 
-/// Whether nothing else is wanted, and there are no risks, whose ranges hold what samples tell.
+/// Whether nothing else is wanted, and the answer is an index, of which samples tell more.
 fn is_settled(model: &AppModel, screens_busy: bool) -> bool {
     let answered = |shown: &ShownAnswer| {
         shown.scenario == model.work.scenario && shown.answer.silence().is_some()

@@ -1,25 +1,24 @@
 //! What the doubt in the inputs does to each result: runs many samples while it is on show. A band
-//! for every result, and what drives one of them. Of a risk the answer has a range of its own; the
-//! wider of the two is shown.
+//! for every result but the risks, whose ranges stand with the answer and hold what a person doubts
+//! of the object, and what drives one of them.
 //!
 //! Each band has a scale of its own, from the least to the greatest of band and nominal value; a
 //! diamond stands where the scenario as it is lies. So shapes compare, and numbers stand beside.
 
 use ratatui::style::Style;
 
-use crate::answer::solve::Answer;
+use crate::injury::Injury;
 use crate::many::{bands::Band, ensemble::Ensemble};
 use crate::report::ensemble::{distribution, hundredths};
+use crate::report::figure::allowing;
 use crate::report::format::{digits, percent};
-use crate::report::{figure::allowing, risks::range};
 use crate::run::quantity::Quantity;
-use crate::tui::ensemble::{FIRST, MANY, RunSamples, is_whole, shown_band, widened};
+use crate::tui::ensemble::{FIRST, MANY, RunSamples, is_whole};
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::model::{AppModel, FIRST_ESTIMATE};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind, go_on, state_of_work};
 use crate::tui::view::text::{fitted, longest_fitting, numeral, seen, whole_sentences};
 use crate::tui::view::{sheet::Sheet, theme::Theme};
-use crate::tui::{keys::TimeKeys, shown::ShownAnswer, task::Job};
+use crate::tui::{keys::TimeKeys, model::AppModel, task::Job};
 
 /// The place of the result whose band is explained.
 #[derive(Default)]
@@ -46,11 +45,8 @@ impl Screen for Doubt {
     fn draw(&self, model: &AppModel, sheet: &mut Sheet) {
         let (area, theme) = (sheet.area, sheet.theme);
         let (said, style) = status(model, theme);
-        let titles = [
-            "How sure? Where 5 to 95 % of samples lie; of risks 10 to 90 %",
-            "How sure? 5 to 95 %, risks 10 to 90 %",
-            "How sure?",
-        ];
+        let titles =
+            ["How sure? Where 5 to 95 % of samples lie", "How sure? 5 to 95 %", "How sure?"];
         sheet.put_both((&titles, theme.heading()), (&said, style));
         // Bands of another scenario would be taken for those of this one.
         let Some(ensemble) = model.ensemble.of(&model.work.scenario) else {
@@ -65,15 +61,11 @@ impl Screen for Doubt {
             }
             return;
         };
-        let same = |shown: &&ShownAnswer| shown.scenario == model.work.scenario;
-        let answer = model.shown.as_ref().filter(same).map(|s| s.answer.as_ref());
-        // First the risks, the gravest first, which are the answer.
-        let mut results = ensemble.results();
-        results.sort_by_key(|of| !of.is_risk());
+        let results = ensemble.results();
         let chosen = self.row.min(results.len().saturating_sub(1));
         heading(sheet);
         let room = usize::from(area.width - 2);
-        let notes = notes(ensemble, answer);
+        let notes = notes(ensemble);
         // The step error alone is said only where there is room.
         let needed = &notes[..notes.len().max(2) - 1];
         let least = whole_sentences(needed, room, NOTES.max(area.height / 6).into()).len();
@@ -83,7 +75,7 @@ impl Screen for Doubt {
         let first = (chosen + 1).saturating_sub(shown);
         for (row, of) in results.iter().skip(first).take(shown).enumerate() {
             let of = (*of, first + row == chosen);
-            result((ensemble, answer), of, &mut sheet.row(2 + row as u16));
+            result(ensemble, of, &mut sheet.row(2 + row as u16));
         }
         sheet.put((1, 1), seen(first, shown, results.len()), theme.quiet());
         let gap = u16::from(shown < free);
@@ -119,8 +111,8 @@ impl Doubt {
 /// Columns of a result's name, and of each of its three numbers.
 const LABEL: u16 = 21;
 const NUMBER: u16 = 9;
-/// Columns of the answer's own range of a risk.
-const OWN: u16 = 9;
+/// The fewest columns of a band.
+const SHORTEST: u16 = 8;
 /// Rows of what drives a result, at least: its name and the strongest three.
 const DRIVERS: u16 = 4;
 /// Rows that the notes may always take: what the bands hold fits into them at any width.
@@ -132,8 +124,7 @@ const MARGIN: f64 = 0.06;
 fn waiting(model: &AppModel, job: &Job<RunSamples>) -> Vec<String> {
     let what = "The blow is simulated over what is published of the eye's materials and over your own \
                 doubt in the inputs: type 300 +- 20 into a field to add some.";
-    let shown = model.shown.as_ref().filter(|_| model.stale() != Some(FIRST_ESTIMATE));
-    let each = shown.map_or_else(String::new, |shown| {
+    let each = model.shown.as_ref().map_or_else(String::new, |shown| {
         let seconds = digits(shown.answer.solve_time.as_secs_f64(), 1);
         format!(" One sample takes about as long as the blow itself: {seconds} s.")
     });
@@ -165,17 +156,16 @@ fn heading(sheet: &mut Sheet) {
         sheet.put_right((right, 1), word, theme.quiet());
     }
     let room = area.width - LABEL - 4 - 3 * NUMBER;
-    let text = longest_fitting(&["◆ as entered   answer", "answer"], room);
-    sheet.put_right((area.width - 1, 1), text, theme.quiet());
+    sheet.put_right(
+        (area.width - 1, 1),
+        longest_fitting(&["◆ as entered", ""], room),
+        theme.quiet(),
+    );
 }
 
-fn result(
-    (ensemble, answer): (&Ensemble, Option<&Answer>),
-    (of, chosen): (Quantity, bool),
-    sheet: &mut Sheet,
-) {
+fn result(ensemble: &Ensemble, (of, chosen): (Quantity, bool), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let Some((band, _)) = shown_band(ensemble, answer, of) else { return };
+    let Some(band) = ensemble.band(of) else { return };
     let style = if chosen { theme.strong() } else { theme.text() };
     let sign = if chosen { "▸" } else { " " };
     sheet.put((0, 0), sign, theme.strong());
@@ -183,18 +173,14 @@ fn result(
     sheet.put((1, 0), fitted(&name, usize::from(LABEL + 1)), style);
     for (right, value) in ends().zip([band.low, band.median, band.high]) {
         let off = Some(0.1 * (band.high - band.low));
-        let text = if of.is_risk() { format!("{value:.0}") } else { allowing(value, off) };
         // One column is kept free, so that numbers do not touch.
-        let texts = [text, numeral(value, NUMBER - 1)];
+        let texts = [allowing(value, off), numeral(value, NUMBER - 1)];
         sheet.put_right((right, 0), longest_fitting(&texts, NUMBER - 1), style);
     }
-    if let Some(range) = answer.and_then(|answer| range(answer, of)) {
-        sheet.put_right((area.width - 1, 0), &range, theme.text());
-    }
     let left = LABEL + 4 + 3 * NUMBER;
-    if left + OWN + 8 < area.width {
+    if left + SHORTEST < area.width {
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
-        let field = (area.width - left - OWN - 1, 1);
+        let field = (area.width - left - 1, 1);
         strip(band, nominal, &mut sheet.part((left, 0), field));
     }
 }
@@ -258,8 +244,11 @@ fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
     }
 }
 
+/// Said where an answer has risks.
+const RISKS: &str = "Risks and their ranges stand on F1: what you doubt of the object widens them.";
+
 /// What the bands hold, in sentences, and how exact they are; the most needed first.
-fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
+fn notes(ensemble: &Ensemble) -> Vec<String> {
     let (done, valid) = (ensemble.samples.len(), ensemble.valid().count());
     // The star is that of the band on the main screen.
     let star = if is_whole(ensemble) { "" } else { "* " };
@@ -273,10 +262,9 @@ fn notes(ensemble: &Ensemble, answer: Option<&Answer>) -> Vec<String> {
     if !counts.is_empty() {
         said.push(format!("Flags: {}.", counts.join(", ")));
     }
-    let wider = answer.map_or_else(Vec::new, |answer| widened(ensemble, answer));
-    let wider: Vec<&str> = wider.iter().map(|(injury, _)| injury.word()).collect();
-    if !wider.is_empty() {
-        said.push(format!("Wider than the answer, so shown: {}.", wider.join(", ")));
+    let rupture = Injury::GlobeRupture.result();
+    if ensemble.nominal.as_ref().is_some_and(|nominal| nominal[rupture].is_some()) {
+        said.push(RISKS.to_owned());
     }
     let checks = ensemble.checks();
     if checks.count > 0 {

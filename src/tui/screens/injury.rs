@@ -1,19 +1,21 @@
-//! The risk of each injury beside the paper's index: a row an injury, the chosen one explained.
+//! The risk of each injury beside the paper's index: a row an injury, the chosen one explained and
+//! what to look for.
 
 use ratatui::layout::Rect;
 
-use crate::injury::{Injury, in_short};
+use crate::injury::{Injury, Risk};
 use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::capital;
+use crate::report::look_for::hours;
 use crate::report::risks::{basis, first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::keys::press::{DOWN, UP, c};
-use crate::tui::model::{AS_IF_STRAIGHT_ON, AppModel, FIRST_ESTIMATE};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::view::risks::{SIGN_ROWS, counting, draw_signs, rows};
+use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
 use crate::tui::view::text::{flag_lines, whole_sentences, width, wrapped};
 use crate::tui::view::{eye::EyePicture, sheet::Sheet};
-use crate::tui::{keys::TimeKeys, shown::ShownAnswer, view::below, view::fundus};
+use crate::tui::{keys::TimeKeys, model::AppModel, shown::ShownAnswer};
+use crate::tui::{view::below, view::fundus};
 
 /// What the screen answers.
 pub(super) const QUESTION: &str = "What is hurt?";
@@ -53,7 +55,7 @@ impl Screen for Injuries {
         }
         let sheet = &mut sheet.at(Rect { width: area.width.min(WIDEST), ..area });
         match &model.shown {
-            Some(shown) if self.fundus => fundus(model, shown, sheet),
+            Some(shown) if self.fundus => fundus(shown, sheet),
             Some(shown) => draw(self.row, model, shown, sheet),
             None => {
                 sheet.put((1, 1), "no result yet", sheet.theme.text());
@@ -65,7 +67,8 @@ impl Screen for Injuries {
 /// Draws the eye when the tissue of the chosen injury felt most.
 fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let area = sheet.area;
-    let peak = shown.answer.peak(Injury::ALL[row].measure());
+    let risks = shown.answer.risks();
+    let peak = risks.get(row).and_then(|risk| shown.answer.peak(risk.injury.measure()));
     let time = peak.map_or(model.time(), |peak| peak.time);
     let height = area.height.min(area.width / 2);
     EyePicture::of(model, shown, time).draw(Rect { height, ..area }, sheet.buffer);
@@ -75,17 +78,12 @@ fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet
 const ROUND: &str = "Straight on the eye is round here: every hour feels the same. Turn the blow, \
     or set numerics.geometry to Full.";
 
-/// Said while what comes is simulated.
-const COMING: &str = "Shown so far is the blow as if straight on, by which every hour feels the \
-    same. Your blow is being simulated.";
-
-fn fundus(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
     draw_signs(sheet);
     let area = sheet.area;
     let sheet = &mut sheet.at(Rect { height: area.height.saturating_sub(SIGN_ROWS), ..area });
     let Some(sectors) = &shown.answer.run.sectors else {
-        let said = if model.stale() == Some(FIRST_ESTIMATE) { COMING } else { ROUND };
-        sheet.put_wrapped((1, 1), said, sheet.theme.text());
+        sheet.put_wrapped((1, 1), ROUND, sheet.theme.text());
         return;
     };
     fundus::draw(sectors, shown.scenario.eye_side(), sheet);
@@ -110,21 +108,21 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
     foot.put((0, 0), "─".repeat(area.width.into()), theme.quiet());
-    let mut sentences = basis(&shown.answer, risk);
-    if each > 1 {
-        // The rest of it stands in the row.
-        sentences[0] = format!("matched to {}", risk.injury.curve().matched);
-    }
-    // What is believed comes first.
-    sentences.insert(0, format!("{}: {}", risk.injury.name(), risk.words()));
-    let mut sentences: Vec<String> = sentences.iter().map(|text| capital(text) + ".").collect();
     let rows = usize::from(foot.area.height.saturating_sub(1));
-    if wrapped(&sentences[..2].join(" "), room).len() > rows {
-        for note in &risk.notes {
-            sentences[0] = sentences[0].replace(note, in_short(note));
-        }
+    foot.put_lines((1, 1), whole_sentences(&explained(shown, risk), room, rows), theme.text());
+}
+
+/// All that is said of an injury in sentences: what is believed, what to look for unless it is
+/// excluded, and what that rests on.
+fn explained(shown: &ShownAnswer, risk: &Risk) -> Vec<String> {
+    let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
+    if !risk.usable || risk.is_open() || risk.gravity() > 0 {
+        said.extend(risk.injury.look_for().map(str::to_owned));
+        let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
+        said.extend(hours.map(|hours| format!("Most at {hours}.")));
     }
-    foot.put_lines((1, 1), whole_sentences(&sentences, room, rows), theme.text());
+    said.extend(basis(&shown.answer, risk).iter().map(|text| capital(text) + "."));
+    said
 }
 
 /// The paper's index, the flags and what the screen asks; gives the rows taken.
@@ -142,19 +140,13 @@ fn above(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) -> u16 {
     sheet.put_lines((1, 0), &index, style);
     let last = index.len() as u16 - 1;
     let (right, style) = match model.stale() {
-        Some(FIRST_ESTIMATE) if end + width(AS_IF_STRAIGHT_ON) + 2 < area.width => {
-            (AS_IF_STRAIGHT_ON, theme.warning())
-        }
         Some(why) => (why, theme.warning()),
         None => (QUESTION, theme.heading()),
     };
     if end + width(right) + 2 < area.width {
         sheet.put_right((area.width - 1, last), right, style);
     }
-    let mut flags = flag_lines(&shown.answer.flags, room, 2);
-    if flags.len() < 2 {
-        flags.extend(counting(model, &shown.answer));
-    }
+    let flags = flag_lines(&shown.answer.flags, room, 2);
     sheet.put_lines((1, last + 1), &flags, theme.warning());
     last + 1 + flags.len() as u16
 }

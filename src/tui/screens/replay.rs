@@ -9,7 +9,6 @@ use crate::run::{places::Region, quantity::Quantity, result_trace::Group};
 use crate::tui::clock::{MeshDetail, peak_said};
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::keys::{Binding, TimeKeys};
-use crate::tui::model::{AS_IF_STRAIGHT_ON, AppModel, FIRST_ESTIMATE};
 use crate::tui::screens::screen::{Act, Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::chart::{TimeCurve, fill, value_at};
 use crate::tui::view::heat::{heat_glyph, thresholds};
@@ -17,7 +16,7 @@ use crate::tui::view::picture::{NAMED, blank_cornea, swatch};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{width, wrapped};
-use crate::tui::{form::unverified, shown::ShownAnswer, step::Step};
+use crate::tui::{form::unverified, model::AppModel, shown::ShownAnswer, step::Step};
 use crate::tui::{terminal::caps::Symbols, view::eye::EyePicture};
 
 /// Rows from which on each part has a line of its own.
@@ -75,7 +74,6 @@ impl Screen for Replay {
             sheet.put((2, 0), text, theme.warning());
         }
         if let Some(why) = model.stale() {
-            let why = if why == FIRST_ESTIMATE { AS_IF_STRAIGHT_ON } else { why };
             let text = format!(" {why} ");
             sheet.put((0, high - 2), text, theme.warning());
         }

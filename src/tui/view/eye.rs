@@ -140,7 +140,7 @@ impl<'a> EyePicture<'a> {
 
     /// What lies at the top of the picture, which is cut along the blow.
     fn up(&self) -> &'static str {
-        // A first estimate comes straight on, whatever was asked.
+        // The eye on show may be that of the blow before.
         self.blow.and_then(|_| self.shown.scenario.top()).unwrap_or(UP)
     }
 

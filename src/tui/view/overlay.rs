@@ -115,9 +115,6 @@ fn threshold(model: &AppModel, asking: &Asking, sheet: &mut Sheet) {
             if !flags.is_empty() {
                 say(&format!("There: {}", flags.join(", ")), theme.warning());
             }
-            for note in crossing.risk.iter().flat_map(|there| &there.risk.notes) {
-                say(&format!("beware: {note}"), theme.warning());
-            }
         }
         if let Some(taken) = asking.taken() {
             let next = if found.crossings.len() == 1 { "" } else { " Tab goes to the next." };

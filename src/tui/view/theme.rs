@@ -3,7 +3,7 @@
 
 use ratatui::style::{Color, Style};
 
-use crate::injury::{Risk, gravity};
+use crate::injury::{Risk, Share, gravity};
 use crate::report::picture::Part;
 use crate::run::places::Region;
 use crate::tui::view::palette::{Colour, Colours, FIELD, FIELD_16, ink};
@@ -121,14 +121,15 @@ impl Theme {
         [0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count()
     }
 
-    /// A risk by the upper end of its range, so that no colour is surer; plain where that is none.
+    /// A risk as its word goes; quiet where nothing is known, which is not harmless.
     pub fn risk(self, risk: &Risk) -> Style {
-        if risk.is_unclear() { self.text() } else { self.likelihood(risk.range.1) }
+        let is_told = risk.usable && !risk.is_open();
+        if is_told { self.grave(risk.gravity()) } else { self.quiet() }
     }
 
-    /// A risk from 0 to 1 that is known.
-    pub fn likelihood(self, risk: f64) -> Style {
-        self.grave(gravity(risk))
+    /// A risk from 0 to 1 of which no upper end is known: never harmless.
+    pub fn told(self, risk: f64) -> Style {
+        self.grave(gravity(&Share { told: risk, low: risk, high: 1.0 }))
     }
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.

@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
+use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
+use crate::injury::{Injury, PerInjury, worse};
 use crate::many::comparison::{ComparisonColumn, Entry, Found, columns, order};
 use crate::plain_text::quoted;
 use crate::run::trace::{OtherTrace, Trace};
 use crate::run::{kept::Traces, quantity::Quantity, refusal::Refusal, watch::Watch};
 use crate::scenario::Scenario;
-use crate::tui::simulation::{Complete, Completion, Simulate};
+use crate::tui::simulation::{Complete, Simulate};
 use crate::tui::{changing::began_as, request::TaskQuestion, shown::ShownAnswer, task::Task};
 
 /// The name under which the form stands in the list.
@@ -31,7 +33,7 @@ pub struct OfMarked<Q> {
 
 /// Asks for its answer.
 pub type SimulateMarked = OfMarked<Simulate>;
-/// Asks for what the ranges of its answer do not hold yet.
+/// Asks for the mesh error of its answer.
 pub type CompleteMarked = OfMarked<Complete>;
 
 impl<Q> OfMarked<Q> {
@@ -102,6 +104,11 @@ pub type Marked = Entry<Box<ShownAnswer>>;
 /// What pictures of an entry are made of, once it has its answer.
 pub fn shown(entry: &Marked) -> Option<&ShownAnswer> {
     if let Found::Answer(shown) = &entry.found { Some(shown) } else { None }
+}
+
+/// The question for the mesh error of an entry, where that is still to come.
+pub fn mesh_question(entry: &Marked) -> Option<Complete> {
+    Complete::of(&entry.scenario, entry.answer()?).filter(|_| !entry.without_mesh)
 }
 
 #[derive(Default)]
@@ -176,11 +183,24 @@ impl Comparison {
         self.entries.iter().find(awaited)
     }
 
-    /// The entries whose answers are still to be completed.
-    pub(super) fn incomplete(&self) -> impl Iterator<Item = (&Marked, &Answer)> {
-        let open = self.entries.iter().filter(|entry| !entry.without_mesh);
-        let answered = open.filter_map(|entry| Some((entry, entry.answer()?)));
-        answered.filter(|(_, answer)| answer.inputs.is_none())
+    /// The entries whose mesh error is still to come, each with its question.
+    pub(super) fn incomplete(&self) -> impl Iterator<Item = (&Marked, Complete)> {
+        self.entries.iter().filter_map(|entry| Some((entry, mesh_question(entry)?)))
+    }
+
+    /// The first of the table and the one with the cursor, or the second; and the chance that the
+    /// one is worse for each injury than the other, with what both share taken out.
+    pub(super) fn who_is_worse(&self) -> Option<([&Marked; 2], PerInjury<f64>)> {
+        let sorted = self.sorted();
+        let two = [sorted.first()?, sorted.get(self.entry.max(1))?].map(|at| &self.entries[*at]);
+        let [a, b] = two.map(|entry| {
+            let answer = entry.answer().filter(|of| of.spoiled().is_none())?;
+            let felt = answer.felt();
+            Some((answer.case.blow.as_ref()?, felt)).filter(|(_, felt)| !felt.is_empty())
+        });
+        let ((a, felt_a), (b, felt_b)) = (a?, b?);
+        let chance = |j: usize| worse(Injury::ALL[j], (a, &felt_a), (b, &felt_b));
+        Some((two, std::array::from_fn(chance)))
     }
 
     /// Changes an entry; the cursor of the table stays with its own, wherever that is sorted to.
@@ -191,16 +211,16 @@ impl Comparison {
         self.entry = row.unwrap_or(self.entry);
     }
 
-    /// Takes in what completes an entry, or that nothing does.
-    pub(super) fn complete(&mut self, asked: &CompleteMarked, rest: Option<Completion>) {
+    /// Takes in the mesh error of an entry, or that there is none.
+    pub(super) fn complete(&mut self, asked: &CompleteMarked, mesh: Option<MeshError>) {
         self.keeping_row(|comparison| {
             let mut entries = comparison.entries.iter_mut();
             if let Some(entry) = entries.find(|entry| asked.is_of(entry))
                 && let Found::Answer(shown) = &mut entry.found
             {
                 let answer = Arc::make_mut(&mut shown.answer);
-                if let Some(rest) = rest {
-                    rest.put(answer);
+                if let Some(mesh) = mesh {
+                    answer.add(mesh);
                 }
                 entry.without_mesh = answer.errors.mesh.is_none();
             }
@@ -357,6 +377,10 @@ mod tests {
             let first = if largest { "bb-62" } else { "foam-dart" };
             assert_eq!(order(&comparison)[0], first, "{injury:?}");
         }
+        comparison.sort = None;
+        let (two, chances) = comparison.who_is_worse().unwrap();
+        assert_eq!(two.map(|entry| &entry.name[..]), ["bb-62", "foam-dart"]);
+        assert!(chances.iter().all(|chance| (0.5..=1.0).contains(chance)), "{chances:?}");
         comparison.alignment = Alignment::Deepest;
         let deepest = |entry: &Marked| {
             let answer = entry.answer().unwrap();

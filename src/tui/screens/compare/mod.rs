@@ -14,7 +14,7 @@ use crate::tui::keys::{Binding, TimeKeys};
 use crate::tui::model::{AppModel, Timed};
 use crate::tui::picker::{Choice, PAGE, Picker};
 use crate::tui::screens::screen::{Act, Mouse, Pane, PaneKeys, Panes, Screen, bind, next_of};
-use crate::tui::simulation::{Complete, Simulate};
+use crate::tui::simulation::Simulate;
 use crate::tui::{overlay::Overlay, request::Report, screens::forces::drawn};
 use crate::tui::{screens::replay::FrameKeys, shown::ShownAnswer, step::Step};
 use crate::tui::{view::sheet::Sheet, work::Work};
@@ -117,15 +117,15 @@ impl Screen for Comparison {
             return;
         }
         let incomplete = self.incomplete().next();
-        if let Some((entry, answer)) = incomplete {
-            let question = OfMarked::new(entry, Complete::of(&entry.scenario, answer));
+        if let Some((entry, mesh)) = incomplete {
+            let question = OfMarked::new(entry, mesh);
             self.rest.ask(question, &mut model.out);
         }
     }
 
     fn take_report(&mut self, _: &mut AppModel, report: &mut Option<Report>) {
-        if let Some((asked, rest)) = self.rest.take_report(report) {
-            self.complete(&asked, rest);
+        if let Some((asked, mesh)) = self.rest.take_report(report) {
+            self.complete(&asked, mesh);
         }
         let Some((asked, outcome)) = self.task.take_report(report) else { return };
         let why = self.task.complaint.take().map(|(_, why)| why);

@@ -3,16 +3,18 @@
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::injury::Injury;
+use crate::injury::{Injury, whole};
 use crate::many::comparison::{ComparisonColumn, Found};
 use crate::report::figure::{Figure, Off};
-use crate::report::risks::{first_line, range};
+use crate::report::risks::first_line;
 use crate::run::quantity::Quantity;
-use crate::tui::screens::compare::comparison::{Alignment, Comparison, Marked, shown};
+use crate::tui::screens::compare::comparison::{Alignment, Comparison, Marked};
 use crate::tui::screens::compare::comparison::{FORM, LIST, REPLAYS, TABLE};
+use crate::tui::screens::compare::comparison::{mesh_question, shown};
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
-use crate::tui::view::text::{fitted, longest_fitting, width};
-use crate::tui::view::{below, eye::EyePicture, raster::Ink, risks::longest, sheet::Sheet};
+use crate::tui::view::risks::{in_signs, longest};
+use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
+use crate::tui::view::{below, eye::EyePicture, raster::Ink, sheet::Sheet};
 use crate::tui::{model::AppModel, shown::ShownAnswer, work::brief};
 
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
@@ -83,7 +85,7 @@ fn heading(compare: &Comparison, sheet: &mut Sheet) {
         (0, _) => "mark two to six".to_owned(),
         (1, _) => "mark one more".to_owned(),
         _ if done < count => format!("{done} of {count} simulated"),
-        (_, 1..) => format!("mesh and inputs: {} of {count}", count - open),
+        (_, 1..) => format!("mesh errors: {} of {count}", count - open),
         (_, 0) if compare.pane == REPLAYS => String::new(),
         (_, 0) => format!("{count} marked, w takes a page"),
     };
@@ -127,16 +129,32 @@ fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let area = sheet.area;
     heading(compare, sheet);
     let count = compare.entries.len() as u16;
-    let room = area.height - 1;
+    let worse = who_is_worse(compare)
+        .map_or_else(Vec::new, |said| wrapped(&said, usize::from(area.width.saturating_sub(2))));
+    let room = (area.height - 1).saturating_sub(worse.len() as u16);
     // What to believe gives way before the errors do, and those before the chart.
     let fits = |each: &u16| 2 + each * count + CHART <= room;
     let each = (1..=3).rev().find(fits).unwrap_or(1);
-    let rows = (2 + each * count).min(room);
+    let mut rows = (2 + each * count).min(room);
     table(compare, model, each, &mut sheet.part((0, 1), (area.width, rows)));
+    sheet.put_lines((1, 1 + rows), &worse, sheet.theme.strong());
+    rows += worse.len() as u16;
+    let room = area.height - 1;
     let below = room - rows;
     if below >= CHART {
         overlaid(compare, model, &mut sheet.part((0, 1 + rows), (area.width, below)));
     }
+}
+
+/// In how many of 100 one blow is worse than the other for each injury.
+fn who_is_worse(compare: &Comparison) -> Option<String> {
+    let ([a, b], chances) = compare.who_is_worse()?;
+    let each = Injury::ALL.iter().zip(chances).map(|(injury, chance)| {
+        format!("{} {}", injury.word(), in_signs(whole(chance).trim_end_matches(" %")))
+    });
+    let each: Vec<String> = each.collect();
+    let [a, b] = [a, b].map(|entry| brief(&entry.name));
+    Some(format!("{a} worse than {b}, in so many of 100: {}", each.join(", ")))
 }
 
 /// Columns of a number: room for the longest name and the mark of sorting.
@@ -212,8 +230,9 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
     let said = if area.height < 2 { (NAME, 0) } else { (3, 1) };
     let Some(ShownAnswer { answer, .. }) = answered(entry, said, sheet) else { return };
     let style = if answer.spoiled().is_some() { theme.quiet() } else { theme.text() };
+    let mesh_comes = mesh_question(entry).is_some();
     for (of, right) in numbers {
-        let (value, error) = cell(answer, *of, !entry.without_mesh);
+        let (value, error) = cell(answer, *of, mesh_comes);
         sheet.put_right((*right, 0), &value, style);
         sheet.put_right((*right, 1), &error, theme.quiet());
     }
@@ -235,13 +254,12 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
     sheet.put((3, 2), belief, theme.text());
 }
 
-/// A result and its error, which the mesh may still add to; of a risk its range and its word.
+/// A result and its error, which the mesh may still add to; a risk and its range.
 fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
-    let risk = Injury::of(of).and_then(|injury| answer.risk(injury));
-    if let (Some(risk), Some(range)) = (risk, range(answer, of)) {
-        let word = risk.word();
-        // One of several words says no more than the range.
-        return (range, if word.contains(' ') { String::new() } else { word });
+    if let Some(risk) = Injury::of(of).and_then(|injury| answer.risk(injury)) {
+        return [risk.middle(), risk.range()]
+            .map(|said| in_signs(said.trim_end_matches(" %")))
+            .into();
     }
     let Some(Figure { number, off, .. }) = Figure::of(answer, of) else {
         return ("-".to_owned(), String::new());

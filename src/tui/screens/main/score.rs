@@ -7,9 +7,9 @@ use crate::report::figure::{Figure, PARTS, SCALE, allowing};
 use crate::report::figure::{in_the_limit, times_its_limit, unusable};
 use crate::report::{format::digits, risks::first_line};
 use crate::run::quantity::Quantity;
-use crate::tui::view::risks::{comes, limits, rows};
+use crate::tui::view::risks::{limits, rows};
 use crate::tui::{ensemble::is_whole, screens::main::QUESTION, view::text::longest_fitting};
-use crate::tui::{model::AppModel, shown::ShownAnswer, view::sheet::Sheet};
+use crate::tui::{model::AppModel, shown::ShownAnswer, simulation::Complete, view::sheet::Sheet};
 
 /// A bar of a share of its width, the threshold at its end.
 fn bar(share: f64, sheet: &mut Sheet) {
@@ -34,7 +34,6 @@ pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, sheet: &mut She
     let (said, style) = match model.stale() {
         Some(why) => (why, theme.warning()),
         None if none => ("", theme.heading()),
-        None if comes(model, &shown.answer) => ("so far, widening", theme.warning()),
         None => ("80 % ranges", theme.heading()),
     };
     let heading = format!("{QUESTION} {said}");
@@ -50,18 +49,19 @@ pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, sheet: &mut She
 /// Draws what limits the answer, or what the errors come from where nothing does.
 pub fn limited(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let said = limits(model, &shown.answer, area.width.into(), area.height.into());
+    let said = limits(shown, area.width.into(), area.height.into());
     if !said.is_empty() {
         sheet.put_lines((0, 0), &said, theme.warning());
         return;
     }
-    let texts = match (&shown.answer.errors.mesh, model.idle) {
-        (Some(_), _) => ["Errors of step and mesh", ""],
-        (None, true) => [
+    let comes = model.idle && Complete::of(&shown.scenario, &shown.answer).is_some();
+    let texts = match shown.answer.errors.mesh {
+        Some(_) => ["Errors of step and mesh", ""],
+        None if comes => [
             "Errors of the step alone; the mesh's is being computed",
             "Errors of the step; the mesh's comes",
         ],
-        (None, false) => ["Errors of the step alone, without the mesh's", "Errors of the step"],
+        None => ["Errors of the step alone, without the mesh's", "Errors of the step"],
     };
     sheet.put_longest((0, 0), &texts, theme.quiet());
 }

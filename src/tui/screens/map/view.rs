@@ -10,7 +10,8 @@ use std::collections::BTreeSet;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::injury::{Blow, Injury, Known, whole as whole_percent};
+use crate::answer::directions::other_scenarios;
+use crate::injury::{Blow, Felt, Injury, PerInjury, Share, assess, whole as whole_percent};
 use crate::many::map::{Grid, MapReading, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
@@ -161,10 +162,12 @@ impl Cells<'_> {
         if next.any(crosses) {
             return (LINE, theme.strong());
         }
-        // The harmless and the grave look so on every screen; of what is neither, more is lighter.
+        // The grave looks so on every screen; of what is neither a risk nor grave, more is lighter.
         let row = self.of.row();
-        let heat = if row.risk {
-            theme.likelihood(value * self.whole / 100.0)
+        let heat = if reading.folded {
+            theme.quiet()
+        } else if row.risk {
+            theme.told(value * self.whole / 100.0)
         } else if row.whole.is_some() {
             theme.gauge(value)
         } else {
@@ -229,18 +232,24 @@ fn axes([x, y]: [Span; 2], field: Rect, sheet: &mut Sheet) {
     sheet.put_right((LABELS, 2), y.field.unit, theme.quiet());
 }
 
-/// The range of a risk under the cursor: of curves, eyes and what a map may be off by.
-fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<String> {
+/// The risk under the cursor of eyes hit so, with what a map may be off by; none where that is a
+/// mean over directions, which a map keeps nothing of.
+fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<Share> {
     let injury = Injury::of(of)?;
-    let measure = injury.measure();
-    let felt = grid.read(measure, map.place()).filter(|felt| !felt.folded)?.value?;
     let mut there = model.work.scenario.clone();
     for (span, value) in map.inputs()? {
         put_number(&mut there, span.field, value);
     }
-    let known =
-        Known { value: felt / measure.row().factor, error: 0.01 * MAPPED, ..Known::default() };
-    Some(injury.assess(&Blow::of(&there), known).percent())
+    let blow = Blow::of_tissues(&there).filter(|_| other_scenarios(&there).is_empty())?;
+    let mut measures = PerInjury::default();
+    for (felt, injury) in measures.iter_mut().zip(Injury::ALL) {
+        let measure = injury.measure();
+        let reading = grid.read(measure, map.place()).filter(|felt| !felt.folded)?;
+        *felt = reading.value? / measure.row().factor;
+    }
+    let errors = PerInjury::default().map(|_: f64| 0.01 * MAPPED);
+    let felt = Felt { measures, errors, way_in: blow.way_in, weight: 1.0 };
+    Some(assess(&blow, injury, &[felt], false).hit)
 }
 
 /// What is known under the cursor.
@@ -253,11 +262,13 @@ fn reading(map: &Map, model: &AppModel) -> String {
             return reading.exact.then(|| "not allowed".to_owned());
         };
         let row = of.row();
-        if let Some(range) = risk_there(map, grid, of, model) {
+        if row.risk && !reading.folded {
             // The points around it tell no more than where it about lies.
             let rough = if reading.exact { "" } else { ", between points that were computed" };
-            let middle = whole_percent(0.01 * value);
-            return Some(format!("{} about {middle}, {range}{rough}", row.label));
+            let there = risk_there(map, grid, of, model);
+            let range = there.map_or_else(String::new, |share| format!(" ({})", share.range()));
+            let told = whole_percent(0.01 * value);
+            return Some(format!("{}: {told} of eyes hit so{range}{rough}", row.label));
         }
         let about = if reading.exact { "" } else { "about " };
         let folded = if reading.folded { ", but the mesh folded" } else { "" };
