@@ -146,8 +146,12 @@ impl Answer {
             return None;
         }
         let blow = self.case.blow.as_ref()?;
-        let mut risk = assess(blow, injury, &felt, self.at_least(injury.measure()));
-        risk.usable = self.spoiled().is_none();
+        // Bone that breaks lets an object in; where likes of it were counted, it did there too.
+        let breaks = self.has(FlagKind::BoneMayBreak) && blow.near.is_none();
+        let cut = self.at_least(injury.measure()) || breaks;
+        let mut risk = assess(blow, injury, &felt, cut);
+        // An eye that is pressed flat felt no less than it had by then, whatever the balance says.
+        risk.usable = self.spoiled().is_none() || self.pressed_flat();
         Some(risk)
     }
 

@@ -21,7 +21,7 @@ pub enum Population {
 }
 
 /// The square of how far apart a counted kind may be to stand beside an object.
-const NEAR_ENOUGH: f64 = 0.6;
+const NEAR_ENOUGH: f64 = 0.35;
 /// What a decade of speed beyond the usual adds to what is known: a deviation of log10.
 const PER_DECADE: f64 = 0.1;
 /// By how much log10 of the measures, and of the energy, go with log10 of an input of the object:
@@ -63,14 +63,13 @@ impl Blow {
         let beyond = object
             .zip(features.as_ref())
             .map_or(0.0, |(object, of)| PER_DECADE * points::beyond_usual(of, object.speed_m_s));
-        let mut points = points::points(features.as_ref());
-        for point in &mut points {
-            point.known = hypot(point.known, beyond);
-        }
+        let [points, in_laboratory] = [false, true].map(|laboratory| {
+            points::points(features.as_ref(), laboratory)
+                .map(|point| Point { known: hypot(point.known, beyond), ..point })
+        });
         let living = scenario.model.species() == Species::Human
             && scenario.physiological().is_none_or(|model| model.support == Support::Orbit);
         let population = if living { Population::Living } else { Population::Laboratory };
-        let in_laboratory = points::in_laboratory(&points);
         let near = features.as_ref().map(points::nearest);
         let near = near.filter(|(_, apart)| living && *apart < NEAR_ENOUGH).map(|(kind, _)| kind);
         Self {

@@ -10,6 +10,8 @@ use crate::injury::object_kind::KINDS;
 use serde::Deserialize;
 use std::sync::LazyLock;
 
+/// Fewer eyes than this say nothing beside a risk.
+const FEWEST: u32 = 10;
 /// The table.
 const TABLE: &str = include_str!("outcomes.csv");
 
@@ -62,13 +64,23 @@ impl Outcome {
 
     /// The first of the authors, as lists name a study.
     pub fn first_author(&self) -> &str {
-        let end = self.study.find([',', '&', '(', ';', ':']).unwrap_or(self.study.len());
+        let end = self.study.find([',', '&', '(', ';']).unwrap_or(self.study.len());
         self.study[..end].trim().trim_end_matches(" et al.")
     }
 
     /// What was seen, as in `12 of 71`.
     pub fn count(&self) -> String {
-        format!("{} of {}", self.hurt, self.eyes)
+        let bound = if self.counted == "count, at least" { "at least " } else { "" };
+        format!("{bound}{} of {}", self.hurt, self.eyes)
+    }
+
+    /// Whose eyes they were, where they are not all that came: of them injuries are more frequent.
+    pub fn whose(&self) -> &'static str {
+        match self.setting {
+            Setting::WalkIn => "",
+            Setting::Referred => " referred",
+            Setting::Laboratory => " in laboratories",
+        }
     }
 }
 
@@ -92,7 +104,9 @@ pub fn counted(kind: usize) -> PerInjury<Option<&'static Outcome>> {
             row.injury() == Some(Injury::ALL[j])
                 && row.kinds() == [kind]
                 && row.setting != Setting::Laboratory
+                && row.eyes >= FEWEST
                 && !row.is_derived()
+                && row.counted != "count, at most"
         });
         own.max_by_key(|row| (row.setting == Setting::WalkIn, row.eyes))
     })

@@ -48,7 +48,8 @@ impl Covariance {
 /// One line of the table: a kind's point of 50 % of one injury, in the unit of its measure.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FittedPoint {
-    /// The kind, by its key; `all` for what a kind unlike any would have.
+    /// The kind, by its key; `all` for what a kind unlike any would have, `laboratory` for how many
+    /// times more laboratories' eyes bear than living ones.
     pub kind: String,
     /// Where half of all eyes are hurt.
     pub half: f64,
@@ -67,12 +68,12 @@ pub struct FittedInjury {
     pub eyes: f64,
     /// How kinds of object differ: the same.
     pub kinds_differ: f64,
-    /// log10 of how much more laboratories' eyes bear than living ones, and how far that is known.
-    pub laboratory: (f64, f64),
-    /// `all` and then each kind.
+    /// `all`, each kind, `laboratory`.
     pub points: Vec<FittedPoint>,
 }
 
+/// The line of laboratories.
+pub const LABORATORY: &str = "laboratory";
 /// The table.
 const TABLE: &str = include_str!("points.ron");
 
@@ -102,7 +103,9 @@ static READY: LazyLock<Table> = LazyLock::new(|| {
     let ready = |(injury, fitted): (&Injury, FittedInjury)| {
         let factor = injury.measure().row().factor;
         let points = &fitted.points;
-        let logs = points.iter().map(|point| log10(point.half / factor));
+        let logs = points.iter().map(|point| {
+            log10(point.half) - if point.kind == LABORATORY { 0.0 } else { log10(factor) }
+        });
         let covariance = DMatrix::from_fn(points.len(), points.len(), |a, b| {
             let (first, last) = (a.min(b), a.max(b));
             let with = if a == b { 1.0 } else { points[last].with[first] };
@@ -129,10 +132,11 @@ pub struct Point {
     pub eyes: f64,
 }
 
-/// What an object has of `all` and of each kind; without features it is like none.
+/// What an object has of each line of the table, and what is its own; without features it is like
+/// no kind.
 fn weights(of: Option<&Features>) -> (DVector<f64>, f64) {
     let table = &*READY;
-    let mut weights = DVector::zeros(KINDS.len() + 1);
+    let mut weights = DVector::zeros(KINDS.len() + 2);
     let Some(of) = of else {
         weights[0] = 1.0;
         return (weights, 1.0);
@@ -144,9 +148,10 @@ fn weights(of: Option<&Features>) -> (DVector<f64>, f64) {
     (weights, (1.0 - column.dot(&of_kinds)).max(0.0))
 }
 
-/// The points of an object in clinics.
-pub fn points(of: Option<&Features>) -> PerInjury<Point> {
-    let (weights, own) = weights(of);
+/// The points of an object: of living eyes, or of those of donors and animals in laboratories.
+pub fn points(of: Option<&Features>, in_laboratory: bool) -> PerInjury<Point> {
+    let (mut weights, own) = weights(of);
+    weights[KINDS.len() + 1] = f64::from(u8::from(in_laboratory));
     std::array::from_fn(|j| {
         let ready = &READY.injuries[j];
         let kappa = ready.fitted.kinds_differ;
@@ -156,15 +161,6 @@ pub fn points(of: Option<&Features>) -> PerInjury<Point> {
             known: variance.max(0.0).sqrt(),
             eyes: ready.fitted.eyes,
         }
-    })
-}
-
-/// The same in laboratories: eyes of donors and animals, hit on purpose.
-pub fn in_laboratory(points: &PerInjury<Point>) -> PerInjury<Point> {
-    std::array::from_fn(|j| {
-        let (more, known) = READY.injuries[j].fitted.laboratory;
-        let Point { log, known: point, eyes } = points[j];
-        Point { log: log + more, known: libm::hypot(point, known), eyes }
     })
 }
 
@@ -221,7 +217,8 @@ mod tests {
             assert_eq!(fitted.injury, injury.key());
             let keys: Vec<&str> = fitted.points.iter().map(|point| point.kind.as_str()).collect();
             assert_eq!(keys[0], "all");
-            assert!(keys[1..].iter().copied().eq(KINDS.iter().map(|kind| kind.key)));
+            let kinds = KINDS.iter().map(|kind| kind.key).chain([LABORATORY]);
+            assert!(keys[1..].iter().copied().eq(kinds));
             for (i, point) in fitted.points.iter().enumerate() {
                 assert!(point.half > 0.0 && point.known > 0.0 && point.with.len() == i);
             }
@@ -231,13 +228,13 @@ mod tests {
     #[test]
     fn a_kind_has_its_own_point_and_what_is_like_none_that_of_all() {
         for (k, kind) in KINDS.iter().enumerate() {
-            for (point, ready) in points(Some(&kind.features())).iter().zip(&READY.injuries) {
+            for (point, ready) in points(Some(&kind.features()), false).iter().zip(&READY.injuries) {
                 assert!((point.log - ready.logs[k + 1]).abs() < 1e-9);
                 assert!((point.known - ready.fitted.points[k + 1].known).abs() < 1e-6);
             }
         }
-        let far = points(Some(&[40.0, 40.0, 40.0]));
-        for ((far, none), ready) in far.iter().zip(&points(None)).zip(&READY.injuries) {
+        let far = points(Some(&[40.0, 40.0, 40.0]), false);
+        for ((far, none), ready) in far.iter().zip(&points(None, false)).zip(&READY.injuries) {
             assert!((far.log - ready.logs[0]).abs() < 1e-9);
             assert!((far.known - none.known).abs() < 1e-9 && none.known > ready.fitted.kinds_differ);
         }
@@ -250,7 +247,7 @@ mod tests {
         });
         assert!(apart_known(Some(&squash), Some(&squash)).iter().all(|known| *known < 1e-6));
         let apart = apart_known(Some(&squash), Some(&golf));
-        let [a, b] = [squash, golf].map(|of| points(Some(&of)));
+        let [a, b] = [squash, golf].map(|of| points(Some(&of), false));
         for j in 0..apart.len() {
             assert!(apart[j] > 0.0 && apart[j] < 1.5 * libm::hypot(a[j].known, b[j].known));
         }

@@ -27,6 +27,8 @@ const DIFFER: f64 = 3.0;
 const OF_ACCOUNT: f64 = 0.05;
 /// A range so wide that nobody counted says nothing as a figure.
 const WIDE: f64 = 0.7;
+/// A lower end from which on it says something, whatever the upper one.
+const LITTLE: f64 = 0.1;
 
 /// What the tissues felt of one direction of a blow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -169,7 +171,8 @@ pub fn assess(blow: &Blow, injury: Injury, felt: &[Felt], cut: bool) -> Risk {
     let laboratory = blow.laboratory.as_ref().map(|points| hit(blow, points, j, felt));
     let differs = |other: &Share| {
         let (less, more) = (own.told.min(other.told), own.told.max(other.told));
-        more > OF_ACCOUNT && more > DIFFER * less
+        let says_something = other.high - other.low <= WIDE;
+        says_something && more > OF_ACCOUNT && more > DIFFER * less
     };
     let half = |felt: &Felt| felt.measures[j] / libm::exp10(blow.points[j].log);
     Risk {
@@ -190,16 +193,10 @@ impl Risk {
         self.clinic.unwrap_or(self.hit)
     }
 
-    /// The same, but the graver of clinics and laboratories.
-    pub fn graver(&self) -> Share {
-        let share = self.share();
-        self.laboratory.filter(|other| other.told > share.told).unwrap_or(share)
-    }
-
     /// Whether nobody counted objects near enough and the range is too wide to be a figure.
     pub fn is_open(&self) -> bool {
-        let Share { low, high, .. } = self.share();
-        self.usable && self.counted.is_none() && high - low > WIDE
+        let Some(Share { low, high, .. }) = self.clinic else { return false };
+        self.usable && self.counted.is_none() && high - low > WIDE && low < LITTLE
     }
 }
 

@@ -1,7 +1,7 @@
 //! A risk in words and in whole percent.
 //!
 //! The words go by what is told and by the upper end: an upper end is what a physician acts on, and
-//! a low figure is no all-clear. Where laboratories tell more than clinics they go by the graver.
+//! a low figure is no all-clear. Where laboratories tell more than clinics they go a step higher.
 
 use crate::injury::{kind::Injury, risk::Risk, risk::Share};
 
@@ -71,9 +71,12 @@ impl Risk {
         }
     }
 
-    /// Its place in the ladder of words, by the graver of clinics and laboratories.
+    /// Its place in the ladder of words: by the graver of both shares, and a step more where
+    /// laboratories tell more.
     pub fn gravity(&self) -> usize {
-        gravity(&self.graver())
+        let own = gravity(&self.share()).max(gravity(&self.hit));
+        let other = self.laboratory.map_or(0, |other| gravity(&other));
+        own.max(other.min(own + 1))
     }
 
     /// Told in whole percent, or a sign that it is not said.
@@ -106,7 +109,9 @@ impl Risk {
     /// What was counted near enough, as in `12 of 71, squash balls`.
     pub fn seen(&self) -> Option<String> {
         let (outcome, objects) = self.counted?;
-        Some(format!("{} ({objects}, {} {})", outcome.count(), outcome.first_author(), outcome.year))
+        let (count, whose) = (outcome.count(), outcome.whose());
+        let (author, year) = (outcome.first_author(), outcome.year);
+        Some(format!("{count}{whose} ({objects}, {author} {year})"))
     }
 
     /// What laboratories tell, where that is another answer.
@@ -124,8 +129,11 @@ impl Risk {
             format!("{NOBODY}; {}", self.felt())
         } else {
             let share = self.share();
-            let of = if self.clinic.is_some() { "who come" } else { "hit so" };
-            format!("{}: {} of eyes {of} ({})", self.word(), share.percent(), share.range())
+            let of = if self.clinic.is_some() { "found in" } else { "in" };
+            let whose = if self.clinic.is_some() { "who come" } else { "eyes hit so" };
+            let (word, told, range) = (self.word(), share.percent(), share.range());
+            let more = if self.cut { ", or more" } else { "" };
+            format!("{word}: {of} {told} of {whose} ({range}{more})")
         }];
         if self.clinic.is_some() && !self.is_open() {
             parts.push(format!("{} of eyes hit so ({})", self.hit.percent(), self.hit.range()));
@@ -145,7 +153,7 @@ impl Risk {
 
     /// Whether the globe is open as likely as not, which comes before all else.
     pub fn opens(&self) -> bool {
-        self.usable && self.injury == Injury::GlobeRupture && self.graver().told >= 0.5
+        self.usable && self.injury == Injury::GlobeRupture && self.hit.told >= 0.5
     }
 }
 

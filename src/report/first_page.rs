@@ -88,8 +88,13 @@ fn injuries(scenario: &Scenario, answer: &Answer) -> (Vec<String>, Vec<String>) 
 
 /// A share with its range, of a hundred: `12 (3-30)`.
 fn in_hundred(share: &Share) -> String {
-    let [told, low, high] = [share.told, share.low, share.high].map(|of| (1e2 * of).round());
-    format!("{told} ({low}-{high})")
+    let whole = |of: f64| (1e2 * of).round();
+    let (low, high) = (whole(share.low), whole(share.high));
+    if high < 1.0 {
+        return "under 1".to_owned();
+    }
+    let told = if whole(share.told) < 1.0 { "<1".to_owned() } else { whole(share.told).to_string() };
+    if low == high { told } else { format!("{told} ({low}-{high})") }
 }
 
 /// What is to be said of the injuries, what may be left out last.

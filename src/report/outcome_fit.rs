@@ -1,7 +1,7 @@
 //! The fit to what clinics counted as text of 80 columns and as JSON.
 
 use crate::injury::{Injury, KINDS};
-use crate::report::format::{paragraph, significant};
+use crate::report::format::{digits, paragraph};
 use crate::verify::clinics::fit::{MeanScore, Scored, Study};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -33,7 +33,7 @@ pub fn text(studies: &[Study; 2], out: &mut dyn Write) -> io::Result<()> {
         write!(out, "{kind:12}")?;
         for of in &table {
             let point = &of.points[i];
-            let half = significant(format!("{:.1e}", point.half).parse().unwrap_or(point.half));
+            let half = digits(point.half, 2);
             write!(out, " {:>10}", format!("{half} x{:.1}", libm::exp10(point.known)))?;
         }
         writeln!(out)?;
@@ -55,7 +55,7 @@ pub fn text(studies: &[Study; 2], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\nMean ln of a count's chance   {:>14} {:>8} {:>9} {:>11}", "rows", "fitted", "left out", "laboratory")?;
     for (name, mean) in scores(studies) {
         let MeanScore { rows, fitted, left_out, laboratory } = mean;
-        writeln!(out, "{name:36} {rows:>7} {fitted:>8.2} {left_out:>9.2} {laboratory:>11.2}")?;
+        writeln!(out, "{name:36} {rows:>7} {fitted:>8.3} {left_out:>9.3} {laboratory:>11.3}")?;
     }
     paragraph("laboratory: by points of donors' and animals' eyes alone.", out)
 }

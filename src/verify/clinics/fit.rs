@@ -7,7 +7,7 @@
 //! A row is scored by ln of the mean chance of its count over draws from that approximation: fitted
 //! with it, or with all rows of its kind left out.
 
-use crate::injury::points::{COVARIANCE, FittedInjury, FittedPoint};
+use crate::injury::points::{COVARIANCE, FittedInjury, FittedPoint, LABORATORY};
 use crate::injury::{Injury, KINDS, Outcome, outcomes};
 use crate::normal;
 use crate::verify::clinics::felt::FeltRow;
@@ -113,12 +113,17 @@ impl Fitted {
     pub fn table(&self) -> Vec<FittedInjury> {
         let known = |slope: &DVector<f64>| slope.dot(&(&self.covariance * slope)).sqrt();
         let each = |(j, injury): (usize, &Injury)| {
-            let mut slopes = vec![self.posterior.all_slope(j)];
+            let (eyes, kinds_differ, lambda) = self.posterior.spreads(&self.at, j);
+            let mut slopes = vec![unit(j)];
             let kinds = 0..KINDS.len();
             slopes.extend(kinds.map(|k| self.posterior.point_slope(&self.at, k, j)));
-            let logs = std::iter::once(self.posterior.all(&self.at, j))
-                .chain((0..KINDS.len()).map(|k| self.posterior.point(&self.at, k, j)));
-            let keys = std::iter::once("all").chain(KINDS.iter().map(|kind| kind.key));
+            slopes.push(unit(lambda));
+            let logs = std::iter::once(self.at[j])
+                .chain((0..KINDS.len()).map(|k| self.posterior.point(&self.at, k, j)))
+                .chain([self.at[lambda]]);
+            let keys = std::iter::once("all")
+                .chain(KINDS.iter().map(|kind| kind.key))
+                .chain([LABORATORY]);
             let points = keys.zip(logs).enumerate().map(|(i, (kind, log))| FittedPoint {
                 kind: kind.to_owned(),
                 half: rounded(libm::exp10(log)),
@@ -130,20 +135,20 @@ impl Fitted {
                     })
                     .collect(),
             });
-            let (eyes, kinds_differ, lambda) = self.posterior.spreads(&self.at, j);
             FittedInjury {
                 injury: injury.key().to_owned(),
                 eyes: rounded(eyes),
                 kinds_differ: rounded(kinds_differ),
-                laboratory: (
-                    rounded(self.at[lambda]),
-                    rounded(self.covariance[(lambda, lambda)].sqrt()),
-                ),
                 points: points.collect(),
             }
         };
         Injury::ALL.iter().enumerate().map(each).collect()
     }
+}
+
+/// How one of the unknowns changes with all of them.
+fn unit(place: usize) -> DVector<f64> {
+    DVector::from_fn(UNKNOWNS, |i, _| f64::from(u8::from(i == place)))
 }
 
 /// To four digits.
@@ -158,8 +163,8 @@ pub fn as_ron(table: &[FittedInjury]) -> String {
     );
     for of in table {
         text += &format!(
-            "    (injury: {:?}, eyes: {:?}, kinds_differ: {:?}, laboratory: {:?}, points: [\n",
-            of.injury, of.eyes, of.kinds_differ, of.laboratory
+            "    (injury: {:?}, eyes: {:?}, kinds_differ: {:?}, points: [\n",
+            of.injury, of.eyes, of.kinds_differ
         );
         for point in &of.points {
             let with: Vec<String> = point.with.iter().map(|with| format!("{with:.2}")).collect();

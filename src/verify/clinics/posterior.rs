@@ -67,6 +67,8 @@ struct Series {
 
 #[derive(Debug, Clone, Copy)]
 struct Row {
+    /// Among the rows that were given.
+    place: usize,
     injury: usize,
     eyes: f64,
     hurt: f64,
@@ -149,6 +151,7 @@ impl Posterior {
             let (kinds, setting) = (outcome.kinds(), outcome.setting);
             let Some(injury) = outcome.injury() else { continue };
             let row = Row {
+                place: series.iter().map(|(_, series)| series.rows.len()).sum(),
                 injury: injury as usize,
                 eyes: outcome.eyes.into(),
                 hurt: outcome.hurt.into(),
@@ -203,16 +206,6 @@ impl Posterior {
             i if i >= INJURIES => at[i],
             i => at[i] - self.own(at, kind, i),
         })
-    }
-
-    /// log10 of the point of 50 % of all kinds together.
-    pub fn all(&self, at: &DVector<f64>, injury: usize) -> f64 {
-        at[injury]
-    }
-
-    /// How that changes with the unknowns.
-    pub fn all_slope(&self, injury: usize) -> DVector<f64> {
-        DVector::from_fn(UNKNOWNS, |i, _| f64::from(u8::from(i == injury)))
     }
 
     /// How eyes and kinds differ, and the place of what laboratories add.
@@ -308,7 +301,7 @@ impl Posterior {
 
     /// ln of the chance of each row, in the order of the outcomes that have an injury.
     pub fn rows(&self, at: &DVector<f64>) -> Vec<f64> {
-        let mut rows = Vec::new();
+        let mut rows = vec![0.0; self.series.iter().map(|series| series.rows.len()).sum()];
         for series in &self.series {
             let shares: Vec<Shares> = series
                 .kinds
@@ -319,7 +312,7 @@ impl Posterior {
                 let share = shares.iter().map(|s| s.value[row.injury]).sum::<f64>()
                     / shares.len() as f64;
                 let concentration = self.choices.concentration;
-                rows.push(beta_binomial(row.hurt, row.eyes, share, concentration).0);
+                rows[row.place] = beta_binomial(row.hurt, row.eyes, share, concentration).0;
             }
         }
         rows
