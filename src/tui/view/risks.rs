@@ -218,7 +218,7 @@ fn directions(shown: &ShownAnswer) -> Option<String> {
 pub fn limits(shown: &ShownAnswer, room: usize, rows: usize) -> Vec<String> {
     let answer = &shown.answer;
     let (spoiled, directions) = (unusable(answer), directions(shown));
-    let bone = bone::line(&shown.scenario, answer);
+    let bone = bone::line(answer);
     let states = [
         (answer.pressed_flat(), "eye pressed flat, flatter than any tested (±?)"),
         (answer.risks().iter().any(Risk::opens), BURST),
