@@ -116,7 +116,7 @@ fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
     let brackets = "in brackets 8 of 10 of what it may be".to_owned();
     opens
         .into_iter()
-        .chain(bone::line(scenario, answer))
+        .chain(bone::line(answer))
         .chain(from)
         .chain(look)
         .chain(laboratory)

@@ -14,7 +14,8 @@ pub mod hard_cases;
 pub mod json;
 pub mod look_for;
 pub mod outcome_fit;
-pub mod outcomes;
+#[cfg(test)]
+mod outcomes;
 pub mod pace;
 pub mod page;
 pub mod picture;

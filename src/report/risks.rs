@@ -45,7 +45,7 @@ pub fn cell(answer: &Answer, of: Quantity) -> Option<String> {
 pub fn text(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let mut lines = lines(answer).into_iter();
     lines.try_for_each(|(name, words)| paragraph(&format!("{name}: {words}"), out))?;
-    if let Some(bone) = bone::line(scenario, answer) {
+    if let Some(bone) = bone::line(answer) {
         paragraph(&bone, out)?;
     }
     if answer.silence().is_none() {

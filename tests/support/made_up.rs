@@ -23,7 +23,7 @@ use contrecoup::run::plan::{Cost, LOCAL_TOLERANCE, Plan};
 use contrecoup::run::quantity::{Family, Quantity};
 use contrecoup::run::readings::{Reading, Readings};
 use contrecoup::run::rules::Element;
-use contrecoup::scenario::{Impact, Model, Projectile, Scenario};
+use contrecoup::scenario::{Geometry, Impact, Model, Projectile, Scenario};
 use nalgebra::{Point2, Vector2};
 
 /// Rows of the traces, and the frames among them.
@@ -275,8 +275,14 @@ fn lasts(case: &Compiled) -> f64 {
     if case.ends_by_itself() { 3e-3 } else { case.window() }
 }
 
-/// The answer to a scenario, with traces and frames.
+/// The answer to a scenario, with traces and frames; of a round eye where it asks for one in three
+/// dimensions.
 pub fn answer(scenario: &Scenario) -> Answer {
+    let mut round = scenario.clone();
+    if scenario.is_spatial() {
+        round.numerics.geometry = Geometry::Axisymmetric;
+    }
+    let scenario = &round;
     let case = Compiled::new(&scenario.check().unwrap());
     let size = size(scenario);
     let traces = traces(&case, scenario, size);

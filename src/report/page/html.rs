@@ -111,7 +111,7 @@ fn blow(entry: &Entry) -> Markup {
                     p.model { (mesh(answer, scenario)) }
                     @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
                     p.note { "In brackets: 8 of 10 of what it may be lie in it." }
-                    @if let Some(bone) = bone::line(scenario, answer) { p.verdict { (bone) } }
+                    @if let Some(bone) = bone::line(answer) { p.verdict { (bone) } }
                     @if answer.silence().is_none() {
                         h2 { "What to look for" }
                         @for (name, words) in look_for::lines(answer, &answer.risks(), scenario.eye_side()) {

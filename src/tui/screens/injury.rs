@@ -109,19 +109,24 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let foot = &mut sheet.at(below(area, 1 + each * count));
     foot.put((0, 0), "─".repeat(area.width.into()), theme.quiet());
     let rows = usize::from(foot.area.height.saturating_sub(1));
-    foot.put_lines((1, 1), whole_sentences(&explained(shown, risk), room, rows), theme.text());
+    foot.put_lines(
+        (1, 1),
+        whole_sentences(&explained(shown, risk, each), room, rows),
+        theme.text(),
+    );
 }
 
 /// All that is said of an injury in sentences: what is believed, what to look for unless it is
-/// excluded, and what that rests on.
-fn explained(shown: &ShownAnswer, risk: &Risk) -> Vec<String> {
+/// excluded, and what that rests on beside what stands in its `each` rows.
+fn explained(shown: &ShownAnswer, risk: &Risk, each: u16) -> Vec<String> {
     let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
     if !risk.usable || risk.is_open() || risk.gravity() > 0 {
         said.extend(risk.injury.look_for().map(str::to_owned));
         let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
         said.extend(hours.map(|hours| format!("Most at {hours}.")));
     }
-    said.extend(basis(&shown.answer, risk).iter().map(|text| capital(text) + "."));
+    let basis = basis(&shown.answer, risk).into_iter().skip(usize::from(each > 1));
+    said.extend(basis.map(|text| capital(&text) + "."));
     said
 }
 

@@ -34,13 +34,13 @@ pub fn longest(risk: &Risk, room: usize) -> String {
     let long =
         (1..=parts.len()).rev().map(|count| format!("{name}: {}", parts[..count].join("; ")));
     let mut texts: Vec<String> = long.collect();
-    let (word, told) = (risk.word(), in_signs(&risk.middle()));
-    let figures = format!("{told} ({})", in_signs(&risk.range()));
-    let short = short_name(risk.injury);
+    let (word, short) = (risk.word(), short_name(risk.injury));
     if is_told(risk) {
-        texts.push(format!("{name}: {word}, {figures}"));
-        texts.push(format!("{short}: {word}, {told}"));
-        texts.push(format!("{short}: {figures}"));
+        let [told, range] = [risk.middle(), risk.range()].map(|said| bare(&said));
+        texts.push(format!("{name}: {word}, {told} ({range}) %"));
+        texts.push(format!("{short}: {word}, {told} ({range}) %"));
+        texts.push(format!("{short}: {word}, {told} %"));
+        texts.push(format!("{short}: {told} ({range}) %"));
     } else {
         texts.push(format!("{short}: {word}"));
     }
@@ -78,9 +78,9 @@ fn short_name(injury: Injury) -> &'static str {
     }
 }
 
-/// What is said in words, in signs.
-pub fn in_signs(text: &str) -> String {
-    text.replace("under ", "<").replace("over ", ">")
+/// A share without its unit, and in signs what is said in words.
+pub fn bare(share: &str) -> String {
+    share.trim_end_matches(" %").replace("under ", "<").replace("over ", ">")
 }
 
 /// Where a word begins, and where told, its range, of eyes hit so, and what was seen end.
@@ -140,7 +140,7 @@ impl Columns {
         let said = [(risk.middle(), style), (risk.range(), style), (hit, theme.text())];
         for (end, (figure, style)) in self.ends.into_iter().zip(said) {
             // The unit stands above them.
-            sheet.put_right((end, 0), in_signs(figure.trim_end_matches(" %")), style);
+            sheet.put_right((end, 0), bare(&figure), style);
         }
         let seen = risk.counted.map_or_else(String::new, |(outcome, _)| outcome.count());
         if self.seen <= room && self.ends[2] + width(&seen) < self.seen {
@@ -218,7 +218,7 @@ fn directions(shown: &ShownAnswer) -> Option<String> {
 pub fn limits(shown: &ShownAnswer, room: usize, rows: usize) -> Vec<String> {
     let answer = &shown.answer;
     let (spoiled, directions) = (unusable(answer), directions(shown));
-    let bone = bone::line(&shown.scenario, answer);
+    let bone = bone::line(answer);
     let states = [
         (answer.pressed_flat(), "eye pressed flat, flatter than any tested (±?)"),
         (answer.risks().iter().any(Risk::opens), BURST),
@@ -294,8 +294,8 @@ mod tests {
                 for room in 34..120 {
                     let text = longest(&risk, room);
                     assert!(usize::from(width(&text)) <= room, "{text}");
-                    let figure = in_signs(&risk.middle());
-                    let told = in_signs(&text).contains(&figure);
+                    let told =
+                        text.contains(&risk.middle()) || text.contains(&bare(&risk.middle()));
                     assert!(told != risk.is_open(), "{text} in {room}");
                 }
             }

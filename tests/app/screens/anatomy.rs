@@ -58,7 +58,7 @@ fn bytes(app: &mut App, size: (u16, u16), frames: u32) -> (usize, usize) {
 fn a_playing_replay_keeps_to_its_bytes() {
     for preset in ["squash-ball", "bb-56"] {
         for (screen, size, most) in
-            [("\x1b1", (80, 24), 1000), ("\x1b2", (80, 24), 1000), ("\x1b2", (120, 40), 3500)]
+            [("\x1b1", (80, 24), 1000), ("\x1b2", (80, 24), 1100), ("\x1b2", (120, 40), 3500)]
         {
             for depth in [Depth::TwoFiveSix, Depth::Sixteen, Depth::Mono] {
                 let mut app = app_by(&[preset], depth, solved);

@@ -12,7 +12,7 @@ use crate::tui::screens::compare::comparison::{Alignment, Comparison, Marked};
 use crate::tui::screens::compare::comparison::{FORM, LIST, REPLAYS, TABLE};
 use crate::tui::screens::compare::comparison::{mesh_question, shown};
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
-use crate::tui::view::risks::{in_signs, longest};
+use crate::tui::view::risks::{bare, longest};
 use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
 use crate::tui::view::{below, eye::EyePicture, raster::Ink, sheet::Sheet};
 use crate::tui::{model::AppModel, shown::ShownAnswer, work::brief};
@@ -149,9 +149,10 @@ fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
 /// In how many of 100 one blow is worse than the other for each injury.
 fn who_is_worse(compare: &Comparison) -> Option<String> {
     let ([a, b], chances) = compare.who_is_worse()?;
-    let each = Injury::ALL.iter().zip(chances).map(|(injury, chance)| {
-        format!("{} {}", injury.word(), in_signs(whole(chance).trim_end_matches(" %")))
-    });
+    let each = Injury::ALL
+        .iter()
+        .zip(chances)
+        .map(|(injury, chance)| format!("{} {}", injury.word(), bare(&whole(chance))));
     let each: Vec<String> = each.collect();
     let [a, b] = [a, b].map(|entry| brief(&entry.name));
     Some(format!("{a} worse than {b}, in so many of 100: {}", each.join(", ")))
@@ -257,9 +258,7 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
 /// A result and its error, which the mesh may still add to; a risk and its range.
 fn cell(answer: &Answer, of: Quantity, mesh_comes: bool) -> (String, String) {
     if let Some(risk) = Injury::of(of).and_then(|injury| answer.risk(injury)) {
-        return [risk.middle(), risk.range()]
-            .map(|said| in_signs(said.trim_end_matches(" %")))
-            .into();
+        return [risk.middle(), risk.range()].map(|said| bare(&said)).into();
     }
     let Some(Figure { number, off, .. }) = Figure::of(answer, of) else {
         return ("-".to_owned(), String::new());

@@ -59,7 +59,7 @@ pub fn limited(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         Some(_) => ["Errors of step and mesh", ""],
         None if comes => [
             "Errors of the step alone; the mesh's is being computed",
-            "Errors of the step; the mesh's comes",
+            "Errors of the step; mesh to come",
         ],
         None => ["Errors of the step alone, without the mesh's", "Errors of the step"],
     };

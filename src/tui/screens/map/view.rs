@@ -162,11 +162,12 @@ impl Cells<'_> {
         if next.any(crosses) {
             return (LINE, theme.strong());
         }
+        if reading.folded {
+            return (FOLDED, theme.quiet());
+        }
         // The grave looks so on every screen; of what is neither a risk nor grave, more is lighter.
         let row = self.of.row();
-        let heat = if reading.folded {
-            theme.quiet()
-        } else if row.risk {
+        let heat = if row.risk {
             theme.told(value * self.whole / 100.0)
         } else if row.whole.is_some() {
             theme.gauge(value)
@@ -175,7 +176,6 @@ impl Cells<'_> {
         };
         let heat = if theme.is_mono() { heat } else { heat.add_modifier(Modifier::REVERSED) };
         let sign = match value {
-            _ if reading.folded => FOLDED,
             value if value > 1.0 => ABOVE,
             value => DIGITS[((value * 10.0).max(0.0) as usize).min(9)],
         };
