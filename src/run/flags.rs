@@ -136,7 +136,7 @@ impl FlagKind {
             Self::EyeFlat => ("eye pressed flat", AT_LEAST),
             Self::RimStops => (
                 "bone stopped the object",
-                "bone takes a part of the blow: try another side, impact.from, or rim, model.rim",
+                "bone takes a part of the blow, and here it does not break",
             ),
             Self::BoneMayBreak => {
                 ("bone may break", "think of a fracture too: it is not in the model")
