@@ -1,8 +1,8 @@
 //! What clinics and laboratories counted: the table that the points of 50 % are fitted to.
 //!
 //! A row is one injury of one series. Where a row says `derived` its count follows from what was
-//! written, as none where a list of all findings does not name it; it counts half in the fit. Rows
-//! named for the fit are told apart: `first` are those that models are compared on.
+//! written, as none where a list of all findings does not name it. Rows named for the fit are told
+//! apart: `first` are those that models are compared on.
 
 use crate::injury::clinic::Setting;
 use crate::injury::kind::{Injury, PerInjury};

@@ -7,7 +7,7 @@
 //! Left out: where bone is thin, and that it breaks.
 
 use crate::answer::solve::Answer;
-use crate::report::format::digits;
+use crate::report::format::{digits, significant};
 
 /// Energies at which orbits broke, J.
 const BROKE: (f64, f64) = (2.9, 4.3);
@@ -26,9 +26,9 @@ pub fn line(answer: &Answer) -> Option<String> {
         some if some < LIKELY * high => "a fracture is possible",
         _ => "a fracture is likely",
     };
-    let (spent, rim) = (digits(spent, 2), digits(rim, 2));
+    let (spent, rim) = (digits(spent, 2), significant(rough(rim)));
     let through = if through >= 1.0 {
-        format!(", globe on bone {} N", digits(through, 2))
+        format!(", globe on bone {} N", significant(rough(through)))
     } else {
         String::new()
     };
@@ -36,4 +36,9 @@ pub fn line(answer: &Answer) -> Option<String> {
         "bone: {word}: up to {spent} J at the rim ({rim} N{through}); orbits of cadavers broke \
          from {low} to {high} J"
     ))
+}
+
+/// To two digits.
+fn rough(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
 }

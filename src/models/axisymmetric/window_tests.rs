@@ -5,7 +5,7 @@ use crate::answer::solve::{Answer, Cut, solve};
 use crate::run::kept::{Keep, Spacing};
 use crate::run::{flags::FlagKind, quantity::Quantity};
 use crate::scenario::library::find;
-use crate::scenario::{ForcePulse, Impact, Model, Physiological, Scenario, Support};
+use crate::scenario::{ForcePulse, Geometry, Impact, Model, Physiological, Scenario, Support};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -15,7 +15,9 @@ const ALL: Keep = Keep {
 };
 
 fn preset(name: &str, window_ms: Option<f64>) -> Scenario {
-    Scenario { window_ms, ..find(name).unwrap().scenario().unwrap() }
+    let mut scenario = find(name).unwrap().scenario().unwrap();
+    scenario.numerics.geometry = Geometry::Axisymmetric;
+    Scenario { window_ms, ..scenario }
 }
 
 #[test]

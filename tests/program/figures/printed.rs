@@ -34,6 +34,7 @@ const SHORT_OF_AXISYMMETRIC: Form = Form::Of("contrecoup accuracy bb-62 --set wi
 /// To run them again takes half a minute, which tests/experiments.rs does.
 const EXPERIMENT_ROWS: fn() -> Vec<&'static str> = || EXPERIMENTS.iter().map(|e| e.what).collect();
 const VALIDATE: &str = "contrecoup verify experiments";
+const CLINICS: &str = "contrecoup verify fit";
 const BENCH: &str = "cargo bench --bench speed";
 
 /// Rows of the benchmark that answer how long one waits.
@@ -93,8 +94,20 @@ pub static FIGURES: &[Figures] = &[
         excerpt: str::to_owned,
     },
     Figures {
-        name: "injury-fit",
-        command: "contrecoup verify fit",
+        name: "clinic-points",
+        command: CLINICS,
+        form: Form::Rows(|| vec!["all ", "airsoft ", "rubber-round ", "eyes differ "]),
+        excerpt: |text| before(text, "\nseries "),
+    },
+    Figures {
+        name: "clinic-scores",
+        command: CLINICS,
+        form: Form::Rows(|| vec!["Mean ln ", "first rows, ", "more rows, "]),
+        excerpt: |text| from(text, "Mean ln "),
+    },
+    Figures {
+        name: "laboratory-fit",
+        command: "contrecoup verify fit laboratory",
         form: Form::Rows(|| vec!["globe rupture ", "hyphema ", "  BB 4.5 mm ", "  foam 12.4 mm "]),
         excerpt: str::to_owned,
     },
