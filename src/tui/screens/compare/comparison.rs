@@ -361,12 +361,11 @@ mod tests {
         let keep = Keep { traces: true, frames: None };
         let mut comparison = answered(&["bb-56", "bb-62"], keep, Some(0.5));
         let rupture = ComparisonColumn::Result(Quantity::GlobeRupture);
-        assert_eq!(comparison.columns()[1], rupture);
-        assert_eq!(comparison.sorting(), Some((rupture, true)));
+        let first = comparison.columns()[1];
+        assert_eq!((first, comparison.sorting()), (rupture, Some((rupture, true))));
         assert_eq!(order(&comparison), ["bb-62", "bb-56"]);
         let (first, _) = comparison.incomplete().next().unwrap();
         assert_eq!(first.name, "bb-56", "in the order of marking");
-        // Every other risk sorts as well.
         for injury in Injury::ALL {
             let columns = comparison.columns();
             let column = ComparisonColumn::Result(injury.result());

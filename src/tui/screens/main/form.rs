@@ -119,7 +119,14 @@ fn described(model: &AppModel) -> String {
         FormRow::Field(field) => field,
     };
     let scenario = &model.work.scenario;
-    let mut accepted = allowed(scenario, field);
+    let mut accepted = match &field.kind {
+        Kind::Choice(choices) => {
+            let names = choices.names().into_iter().map(in_words);
+            let written = choices.written().iter().map(|form| (*form).to_owned());
+            names.chain(written).collect::<Vec<_>>().join(", ")
+        }
+        _ => allowed(scenario, field),
+    };
     if let Some(pulse) = pulse::described(scenario, field.path) {
         accepted = format!("{pulse}; {accepted}");
     }
