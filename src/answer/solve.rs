@@ -146,13 +146,23 @@ impl Answer {
             return None;
         }
         let blow = self.case.blow.as_ref()?;
-        // Bone that breaks lets an object in; where likes of it were counted, it did there too.
+        // Bone that breaks lets an object in, and what presses an eye flatter than any test did may do
+        // more than is read; where likes of it were counted, so it was there.
         let breaks = self.has(FlagKind::BoneMayBreak) && blow.near.is_none();
-        let cut = self.at_least(injury.measure()) || breaks;
+        let flatter = self.has(FlagKind::BeyondTests) && (blow.unusual || blow.near.is_none());
+        let cut = self.at_least(injury.measure()) || breaks || flatter;
         let mut risk = assess(blow, injury, &felt, cut);
-        // An eye that is pressed flat felt no less than it had by then, whatever the balance says.
-        risk.usable = self.spoiled().is_none() || self.pressed_flat();
+        risk.usable = self.no_risks().is_none();
         Some(risk)
+    }
+
+    /// Why no risk can be told of what was computed, and what to do about it, if that is so.
+    pub fn no_risks(&self) -> Option<Spoiled> {
+        let flat = Spoiled {
+            why: "eye pressed flat: worse than the model can tell".to_owned(),
+            next: "take the globe as open until it is seen to be closed",
+        };
+        if self.pressed_flat() { Some(flat) } else { self.spoiled() }
     }
 
     /// What the tissues felt, from each direction that the blow may have come from.

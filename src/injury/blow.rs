@@ -43,6 +43,8 @@ pub struct Blow {
     pub points: PerInjury<Point>,
     /// Those of laboratories, where the eye is a living one.
     pub laboratory: Option<PerInjury<Point>>,
+    /// Whether it flies faster than its likes hit eyes.
+    pub unusual: bool,
     /// Kinetic energy over the object's area, J/m2; none of a pulse.
     pub energy: Option<f64>,
     /// Whether it may go in.
@@ -77,6 +79,7 @@ impl Blow {
             population,
             points: if living { points } else { in_laboratory },
             laboratory: living.then_some(in_laboratory),
+            unusual: beyond > 0.0,
             energy: object.map(|object| {
                 object.energy_j() / (FRAC_PI_4 * object.diameter_m() * object.diameter_m())
             }),

@@ -130,7 +130,7 @@ impl Risk {
         } else {
             let share = self.share();
             let of = if self.clinic.is_some() { "found in" } else { "in" };
-            let whose = if self.clinic.is_some() { "who come" } else { "eyes hit so" };
+            let whose = if self.clinic.is_some() { "those who come" } else { "eyes hit so" };
             let (word, told, range) = (self.word(), share.percent(), share.range());
             let more = if self.cut { ", or more" } else { "" };
             format!("{word}: {of} {told} of {whose} ({range}{more})")

@@ -100,6 +100,7 @@ fn in_hundred(share: &Share) -> String {
 
 /// What is to be said of the injuries, what may be left out last.
 fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
+    let spoiled = answer.no_risks().map(|spoiled| format!("{}: {}", spoiled.why, spoiled.next));
     let opens = risks.iter().any(Risk::opens).then(|| BURST.to_owned());
     let from = (!answer.others.is_empty()).then(|| {
         format!("risks are means over {} directions, the rest is of one", 1 + answer.others.len())
@@ -115,8 +116,9 @@ fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
     let seen = of_kind.filter(|_| risks.iter().any(|risk| risk.counted.is_some()));
     let seen = seen.map(|objects| format!("seen: {objects}, series as --all names them"));
     let brackets = "in brackets 8 of 10 of what it may be".to_owned();
-    opens
+    spoiled
         .into_iter()
+        .chain(opens)
         .chain(bone::line(answer))
         .chain(from)
         .chain(look)

@@ -18,7 +18,7 @@ pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
     }
     let line = |risk: &Risk| (risk.injury.name(), risk.words());
     let mut lines: Vec<(&'static str, String)> = answer.risks().iter().map(line).collect();
-    if let Some(spoiled) = answer.spoiled() {
+    if let Some(spoiled) = answer.no_risks() {
         lines.push(("all of them", format!("{}: {}", spoiled.why, spoiled.next)));
     }
     lines
@@ -28,7 +28,7 @@ pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
 pub fn first_line(answer: &Answer) -> String {
     let said = lines(answer);
     let (name, words) = &said[0];
-    let of_all = said.last().filter(|_| answer.spoiled().is_some() && said.len() > 1);
+    let of_all = said.last().filter(|_| answer.no_risks().is_some() && said.len() > 1);
     let of_all = of_all.map_or_else(String::new, |(_, words)| format!("; {words}"));
     format!("{name}: {words}{of_all}")
 }

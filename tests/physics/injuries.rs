@@ -137,7 +137,7 @@ fn falls(name: &str, shares: &[f64]) -> Vec<String> {
             let fall = before.told - after.told;
             let range = (before.high - before.low).max(after.high - after.low);
             // Where the model breaks it says so.
-            if slow.usable && fast.usable && fall > 0.1 * range + 0.005 {
+            if slow.usable && fast.usable && !fast.cut && fall > 0.1 * range + 0.005 {
                 falls.push(format!("{name}: {injury:?} {before:?} {after:?}"));
             }
         }

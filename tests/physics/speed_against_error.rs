@@ -6,12 +6,16 @@ use predicates::str::contains;
 use serde_json::Value;
 
 #[test]
-fn a_quick_answer_has_no_mesh_error_and_says_what_its_ranges_leave_out() {
+fn a_quick_answer_has_no_mesh_error_and_the_same_risks() {
     let without = json(&["run", "paper-300n", "--quick"]);
     assert!(without["error"]["mesh_percent"].is_null());
-    let quick = json(&["run", "bb-56", "--quick"]);
-    let missing = quick["risks_without"].as_array().unwrap();
-    assert_eq!(missing, &["the mesh", "the inputs"]);
+    let [quick, whole, meshes] =
+        [&["--quick"][..], &[], &["--meshes"]].map(|more| json(&[&["run", "bb-56"], more].concat()));
+    // Risks are final whatever else is asked for.
+    assert_eq!(quick["risks"], whole["risks"]);
+    let hit = |of: &serde_json::Value| of["risks"]["hyphema"]["hit_percent"].clone();
+    assert_eq!(hit(&quick), hit(&meshes));
+    assert!(whole["error"]["mesh_percent"].is_null() && !meshes["error"]["mesh_percent"].is_null());
     let with = json(&["run", "paper-300n"]);
     let damage = with["error"]["mesh_percent_by_result"]["damage_percent"].as_f64().unwrap();
     // Levels 4 to 8 say that level 1 is 28 to 29 % off.
