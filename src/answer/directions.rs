@@ -1,8 +1,8 @@
 //! The other directions that a blow may have come from, run beside the one that is shown.
 //!
-//! Where nobody knows it, those are the rest of [`AS_HITS_COME`]; where a person doubts an angle, an
-//! offset or an hour, two to each side of the value, so far out that all directions, equally likely,
-//! have the spread that was given. They have the step error of the one that is shown.
+//! Where nobody knows it, those are the rest of [`AS_HITS_COME`]; where a person doubts an angle,
+//! an offset or an hour, two to each side of the value, so far out that all directions, equally
+//! likely, have the spread that was given. They have the step error of the one that is shown.
 
 use crate::answer::brief::single;
 use crate::injury::{Blow, Felt, Injury, PerInjury};
@@ -83,17 +83,23 @@ pub fn other_directions(scenario: &Scenario, watch: Watch) -> Result<Vec<Felt>, 
         });
         done.store(count, Ordering::Relaxed);
     };
-    beside(work, || loop {
-        let share = done.load(Ordering::Relaxed) as f64 / count as f64;
-        if share >= 1.0 {
-            return;
+    beside(work, || {
+        loop {
+            let share = done.load(Ordering::Relaxed) as f64 / count as f64;
+            if share >= 1.0 {
+                return;
+            }
+            if watch(share).is_break() {
+                return stop.store(true, Ordering::Relaxed);
+            }
+            std::thread::sleep(LOOK_EVERY);
         }
-        if watch(share).is_break() {
-            return stop.store(true, Ordering::Relaxed);
-        }
-        std::thread::sleep(LOOK_EVERY);
     });
-    if all.len() < count { Err(Refusal::Cancelled) } else { Ok(all.into_iter().flatten().collect()) }
+    if all.len() < count {
+        Err(Refusal::Cancelled)
+    } else {
+        Ok(all.into_iter().flatten().collect())
+    }
 }
 
 fn felt(scenario: &Scenario, stop: &AtomicBool) -> Result<Felt, Refusal> {

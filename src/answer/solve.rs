@@ -146,8 +146,8 @@ impl Answer {
             return None;
         }
         let blow = self.case.blow.as_ref()?;
-        // Bone that breaks lets an object in, and what presses an eye flatter than any test did may do
-        // more than is read; where likes of it were counted, so it was there.
+        // Bone that breaks lets an object in, and what presses an eye flatter than any test did may
+        // do more than is read; where likes of it were counted, so it was there.
         let breaks = self.has(FlagKind::BoneMayBreak) && blow.near.is_none();
         let flatter = self.has(FlagKind::BeyondTests) && (blow.unusual || blow.near.is_none());
         let cut = self.at_least(injury.measure()) || breaks || flatter;
@@ -174,8 +174,8 @@ impl Answer {
         std::iter::once(own).chain(others).collect()
     }
 
-    /// The share by which what a tissue felt may be wrong: by the step, and by a mesh other than the
-    /// one that the points of 50 % were fitted on.
+    /// The share by which what a tissue felt may be wrong: by the step, and by a mesh other than
+    /// the one that the points of 50 % were fitted on.
     fn felt_error(&self, injury: Injury) -> f64 {
         let other_mesh = self.case.level() > 1 || self.pressed_flat();
         let mesh = if other_mesh { injury.curve().mesh_unknown } else { 0.0 };

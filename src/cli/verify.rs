@@ -10,7 +10,9 @@ use crate::cli::{CliError, arguments::whole, example, progress::shown};
 use crate::report::{claims, experiments, hard_cases as cases, outcome_fit, tissue_fit};
 use crate::run::threads;
 use crate::verify::clinics::felt::{self, FeltRow};
-use crate::verify::clinics::fit::{self as clinics, CHOICES, as_ron, first_rows, fitted_rows, study};
+use crate::verify::clinics::fit::{
+    self as clinics, CHOICES, as_ron, first_rows, fitted_rows, study,
+};
 use crate::verify::{claims::FINEST_CHECKED, claims::Study, claims::check, fit::fit, hard_cases};
 use crate::verify::{hard_cases::CaseVerdict, measured_orbit::InOrbit, rerun::rerun_all};
 use crate::verify::{scenes::MAX_SCENES, scenes::Scenes, tissue_fit::fit_tissues};
@@ -67,8 +69,9 @@ enum VerifyCommand {
     /// Published experiments run again: what was measured beside what the model gives
     #[command(after_help = example("verify experiments --json"))]
     Experiments,
-    /// The fits repeated: points of 50 % to what clinics counted, with the score of every row, fitted
-    /// and with its kind left out; the laboratory's points; or the bulk modulus of orbital fat
+    /// The fits repeated: points of 50 % to what clinics counted, with the score of every row,
+    /// fitted and with its kind left out; the laboratory's points; or the bulk modulus of orbital
+    /// fat
     #[command(after_help = example("verify fit"))]
     Fit {
         /// Which fit
@@ -146,10 +149,8 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         }
         VerifyCommand::Fit { what: WhichFit::Clinics, .. } => {
             let felt = felt::stored();
-            let studies = [
-                study(&felt, first_rows(), CHOICES),
-                study(&felt, fitted_rows(), CHOICES),
-            ];
+            let studies =
+                [study(&felt, first_rows(), CHOICES), study(&felt, fitted_rows(), CHOICES)];
             return print(args, &studies, outcome_fit::json, outcome_fit::text, out);
         }
         VerifyCommand::Fit { what: WhichFit::Laboratory, .. } => {

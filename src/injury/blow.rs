@@ -26,11 +26,8 @@ const NEAR_ENOUGH: f64 = 0.35;
 const PER_DECADE: f64 = 0.1;
 /// By how much log10 of the measures, and of the energy, go with log10 of an input of the object:
 /// the first read off the kinds' own tables. What an object is made of stands in its kind's point.
-const POWERS: [(&str, f64, f64); 3] = [
-    ("impact.speed_m_s", 1.2, 2.0),
-    ("impact.mass_g", 0.6, 1.0),
-    ("impact.diameter_mm", 0.8, 2.0),
-];
+const POWERS: [(&str, f64, f64); 3] =
+    [("impact.speed_m_s", 1.2, 2.0), ("impact.mass_g", 0.6, 1.0), ("impact.diameter_mm", 0.8, 2.0)];
 
 /// What of a scenario its risks are read with.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +92,8 @@ impl Blow {
         (scenario.model != Model::Paper).then(|| Self::of(scenario))
     }
 
-    /// Of which energy over area the object brings how many spreads more, for one deviation of doubt.
+    /// Of which energy over area the object brings how many spreads more, for one deviation of
+    /// doubt.
     pub(super) fn doubted_way_in(&self) -> f64 {
         self.doubted.1 / way_in::SPREAD
     }
@@ -129,7 +127,10 @@ mod tests {
         assert_eq!((squash.near, squash.population), (Some("squash balls"), Population::Living));
         assert_eq!(squash.counted[Injury::Hyphema as usize].unwrap().count(), "12 of 71");
         let held = Blow::of(&preset("squash-ball", &[("model.support", "Gelatin")]));
-        assert_eq!((held.population, held.laboratory, held.near), (Population::Laboratory, None, None));
+        assert_eq!(
+            (held.population, held.laboratory, held.near),
+            (Population::Laboratory, None, None)
+        );
         assert_eq!(Some(held.points), squash.laboratory);
         assert_eq!(Blow::of(&preset("fist", &[])).near, None);
     }

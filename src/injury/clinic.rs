@@ -1,12 +1,13 @@
 //! Who comes to a clinic after a blow, and what is found in those who come.
 //!
 //! With r_j the chance that a blow brings injury j about, and w_j the chance that somebody with it
-//! alone comes for it, none = (1 - c) prod_j (1 - w_j r_j) stay at home, c being those who come with
-//! nothing. Of those who come the share with j is
-//! seen_j r_j (1 - (1 - w_j) none/(1 - w_j r_j)) / (1 - none), where seen_j says how much of it is
-//! found and written down. Over several blows both sides are means.
+//! alone comes for it, none = (1 - c) prod_j (1 - w_j r_j) stay at home, c being those who come
+//! with nothing. Of those who come the share with j is seen_j r_j (1 - (1 - w_j) none/(1 - w_j
+//! r_j)) / (1 - none), where seen_j says how much of it is found and written down. Over several
+//! blows both sides are means.
 //!
-//! The chances are judged. Left out: that injuries hang together beyond what one blow makes of them.
+//! The chances are judged. Left out: that injuries hang together beyond what one blow makes of
+//! them.
 
 use crate::injury::kind::{Injury, PerInjury};
 use serde::Deserialize;
@@ -41,8 +42,11 @@ const REFERRED: Selection = Selection {
     with_nothing: 0.002,
 };
 /// Every eye is looked at.
-const LABORATORY: Selection =
-    Selection { comes: [1.0; Injury::ALL.len()], seen: [1.0; Injury::ALL.len()], with_nothing: 1.0 };
+const LABORATORY: Selection = Selection {
+    comes: [1.0; Injury::ALL.len()],
+    seen: [1.0; Injury::ALL.len()],
+    with_nothing: 1.0,
+};
 
 /// Of eyes that were hit: how many come, and how many come and have each injury, 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -78,9 +82,8 @@ impl Setting {
     /// Those who come of eyes with such chances.
     pub fn coming(self, risks: &PerInjury<f64>) -> Coming {
         let comes = &self.selection().comes;
-        let with = std::array::from_fn(|j| {
-            risks[j] * (1.0 - (1.0 - comes[j]) * self.stays(risks, &[j]))
-        });
+        let with =
+            std::array::from_fn(|j| risks[j] * (1.0 - (1.0 - comes[j]) * self.stays(risks, &[j])));
         Coming { all: 1.0 - self.stays(risks, &[]), with }
     }
 

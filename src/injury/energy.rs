@@ -1,4 +1,5 @@
-//! Published curves of risk in laboratories against normalized energy: kinetic energy over the area pi d^2/4.
+//! Published curves of risk in laboratories against normalized energy: kinetic energy over the area
+//! pi d^2/4.
 //!
 //! Weibull, R = 1 - exp(-ln 2 (x/x50)^k): no energy, no risk. The abstract 2394472 gives the risks
 //! at two energies, which fix x50 and k (a logistic through the same points has its 50 % at 34.2,

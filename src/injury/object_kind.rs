@@ -116,7 +116,12 @@ mod tests {
             let own = kind.features();
             assert!(own.iter().all(|feature| feature.is_finite()));
             for other in KINDS.iter().filter(|other| other.key != kind.key) {
-                assert!(apart_squared(&own, &other.features()) > 0.01, "{} {}", kind.key, other.key);
+                assert!(
+                    apart_squared(&own, &other.features()) > 0.01,
+                    "{} {}",
+                    kind.key,
+                    other.key
+                );
             }
             assert!(kind.speeds.is_sorted() && kind.speeds.len() >= 4);
         }

@@ -1,13 +1,13 @@
 //! Points of 50 % that were fitted to what clinics counted, and what they say of any object.
 //!
-//! How far a kind's point lies below that of all, b_j, has the covariance kappa_j^2 (s exp(-d^2/2) +
-//! (1 - s) exp(-d^2/(2 n^2))) over kinds that are d apart: a share s that neighbours have in common,
-//! the rest a kind's own, which two objects share only where they are nearly the same (n). So a
-//! squash ball tells of a racquetball and little of a BB, and nothing jumps.
+//! How far a kind's point lies below that of all, b_j, has the covariance kappa_j^2 (s exp(-d^2/2)
+//! + (1 - s) exp(-d^2/(2 n^2))) over kinds that are d apart: a share s that neighbours have in
+//! common, the rest a kind's own, which two objects share only where they are nearly the same (n).
+//! So a squash ball tells of a racquetball and little of a BB, and nothing jumps.
 //!
-//! With C that matrix over the fitted kinds and c its column for an object, w = C^-1 c: the object's
-//! point is mu (1 - sum w) + w L, its variance that of this sum by the covariance of the fit, plus
-//! kappa^2 (1 - c w) for what is its own. `contrecoup verify fit` finds the table again.
+//! With C that matrix over the fitted kinds and c its column for an object, w = C^-1 c: the
+//! object's point is mu (1 - sum w) + w L, its variance that of this sum by the covariance of the
+//! fit, plus kappa^2 (1 - c w) for what is its own. `contrecoup verify fit` finds the table again.
 //!
 //! Left out: that kappa and the spread of eyes are themselves known to a fifth or so.
 
@@ -200,7 +200,8 @@ pub fn beyond_usual(of: &Features, speed_m_s: f64) -> f64 {
     let (mut sum, mut all) = (0.0, 0.0);
     for (kind, features) in KINDS.iter().zip(&READY.features) {
         let near = exp(-0.5 * apart_squared(of, features));
-        let off = log10(speed_m_s / kind.usual_m_s).abs() - 2.0 * libm::hypot(kind.spread, kind.unsure);
+        let off =
+            log10(speed_m_s / kind.usual_m_s).abs() - 2.0 * libm::hypot(kind.spread, kind.unsure);
         sum += near * off.max(0.0);
         all += near;
     }
@@ -228,7 +229,8 @@ mod tests {
     #[test]
     fn a_kind_has_its_own_point_and_what_is_like_none_that_of_all() {
         for (k, kind) in KINDS.iter().enumerate() {
-            for (point, ready) in points(Some(&kind.features()), false).iter().zip(&READY.injuries) {
+            for (point, ready) in points(Some(&kind.features()), false).iter().zip(&READY.injuries)
+            {
                 assert!((point.log - ready.logs[k + 1]).abs() < 1e-9);
                 assert!((point.known - ready.fitted.points[k + 1].known).abs() < 1e-6);
             }
@@ -236,15 +238,16 @@ mod tests {
         let far = points(Some(&[40.0, 40.0, 40.0]), false);
         for ((far, none), ready) in far.iter().zip(&points(None, false)).zip(&READY.injuries) {
             assert!((far.log - ready.logs[0]).abs() < 1e-9);
-            assert!((far.known - none.known).abs() < 1e-9 && none.known > ready.fitted.kinds_differ);
+            assert!(
+                (far.known - none.known).abs() < 1e-9 && none.known > ready.fitted.kinds_differ
+            );
         }
     }
 
     #[test]
     fn two_of_a_kind_lie_no_way_apart_and_unlike_ones_as_far_as_both_are_known() {
-        let [squash, golf] = ["squash", "golf"].map(|key| {
-            KINDS.iter().find(|kind| kind.key == key).unwrap().features()
-        });
+        let [squash, golf] = ["squash", "golf"]
+            .map(|key| KINDS.iter().find(|kind| kind.key == key).unwrap().features());
         assert!(apart_known(Some(&squash), Some(&squash)).iter().all(|known| *known < 1e-6));
         let apart = apart_known(Some(&squash), Some(&golf));
         let [a, b] = [squash, golf].map(|of| points(Some(&of), false));

@@ -1,10 +1,10 @@
 //! The risk of each injury after one blow: a share of eyes, and the range that it may have.
 //!
-//! With L the object's point of 50 % (log10, known to s) and eyes that differ by sigma, an eye whose
-//! tissue felt m is hurt with z = (log10 m - L)/sigma: told is Phi(z/sqrt(1 + s^2/sigma^2)), its 80 %
-//! range Phi((log10 m -+ 1.28 s - L)/sigma). To s come, in quadrature, the error of the step and what
-//! the person doubts of the object. Of a globe it is 1 - (1 - that) (1 - the chance of a way in).
-//! Where a blow may come from several directions all are means over them.
+//! With L the object's point of 50 % (log10, known to s) and eyes that differ by sigma, an eye
+//! whose tissue felt m is hurt with z = (log10 m - L)/sigma: told is Phi(z/sqrt(1 + s^2/sigma^2)),
+//! its 80 % range Phi((log10 m -+ 1.28 s - L)/sigma). To s come, in quadrature, the error of the
+//! step and what the person doubts of the object. Of a globe it is 1 - (1 - that) (1 - the chance
+//! of a way in). Where a blow may come from several directions all are means over them.
 //!
 //! Of those who come to a clinic after such a blow the share follows [`crate::injury::clinic`].
 //!
@@ -89,7 +89,8 @@ impl Point {
         if times > 0.0 { self.chance(times * libm::exp10(self.log), 0.0, Part::Told) } else { 0.0 }
     }
 
-    /// The chance that an eye is hurt whose tissue felt `measure`, known to `more` beside the point.
+    /// The chance that an eye is hurt whose tissue felt `measure`, known to `more` beside the
+    /// point.
     fn chance(&self, measure: f64, more: f64, part: Part) -> f64 {
         let s = hypot(self.known, more);
         let z = (log10(measure) - self.log) / self.eyes;
@@ -266,9 +267,8 @@ mod tests {
     fn a_harder_blow_of_the_same_ball_is_surely_worse_and_an_equal_one_as_likely_as_not() {
         let blow = Blow::of(&preset("squash-ball", &[]));
         let (soft, hard) = (felt(&blow, 0.8, 0.01), felt(&blow, 1.2, 0.01));
-        let worse = |a: &Felt, b: &Felt| {
-            worse(Injury::Hyphema, (&blow, &[*a][..]), (&blow, &[*b][..]))
-        };
+        let worse =
+            |a: &Felt, b: &Felt| worse(Injury::Hyphema, (&blow, &[*a][..]), (&blow, &[*b][..]));
         assert!(worse(&hard, &soft) > 0.999 && worse(&soft, &hard) < 1e-3);
         assert!((worse(&soft, &soft) - 0.5).abs() < 1e-9);
     }

@@ -1,10 +1,10 @@
 //! What tissues felt of the objects that donors' and animals' eyes were hit with, at the published
 //! energies of 50 %: the laboratory's points, which the fit to clinics begins from.
 //!
-//! `contrecoup verify fit laboratory` finds them again: `half` is the mean of the measure over kinds
-//! of object and published energies, `known` how much kinds and published figures disagree in log10,
-//! `eyes` the spread of the published curve times the slope of log10 of the measure over that of
-//! energy.
+//! `contrecoup verify fit laboratory` finds them again: `half` is the mean of the measure over
+//! kinds of object and published energies, `known` how much kinds and published figures disagree in
+//! log10, `eyes` the spread of the published curve times the slope of log10 of the measure over
+//! that of energy.
 
 use crate::injury::kind::{Injury, PerInjury};
 
@@ -31,10 +31,7 @@ impl Injury {
 }
 
 /// A curve by its numbers, in the order of their fields.
-const fn curve(
-    [half, eyes, known, mesh_unknown]: [f64; 4],
-    matched: &'static str,
-) -> TissueCurve {
+const fn curve([half, eyes, known, mesh_unknown]: [f64; 4], matched: &'static str) -> TissueCurve {
     TissueCurve { half, eyes, known, mesh_unknown, matched }
 }
 

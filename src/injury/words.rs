@@ -97,7 +97,9 @@ impl Risk {
     /// What the tissue felt beside what hurts half, in words.
     pub fn felt(&self) -> String {
         match self.of_half {
-            less if less < 0.1 => "felt less than a tenth of what hurts half of all eyes".to_owned(),
+            less if less < 0.1 => {
+                "felt less than a tenth of what hurts half of all eyes".to_owned()
+            }
             times if times < 0.95 => {
                 format!("felt {times:.1} of what hurts half of all eyes")
             }

@@ -1,13 +1,15 @@
 //! What the object did to bone, beside what broke orbits: in words, as no count allows a share.
 //!
 //! Orbits of cadavers broke from 2.9 J on the eye (a face of 25 mm, Rhee 2002) to 3.9 J at the rim
-//! and at the globe (3.4 to 4.3 J, Patel 2017), goats' at 2.6 J. What is compared is the energy that
-//! the object spent at the rim, of which soft ones keep a part in themselves: it is an upper end.
+//! and at the globe (3.4 to 4.3 J, Patel 2017), goats' at 2.6 J. What is compared is the energy
+//! that the object spent at the rim, of which soft ones keep a part in themselves: it is an upper
+//! end.
 //!
 //! Left out: where bone is thin, and that it breaks.
 
 use crate::answer::solve::Answer;
-use crate::report::format::{digits, significant};
+use crate::report::format::digits;
+use crate::scenario::problem::plain;
 
 /// Energies at which orbits broke, J.
 const BROKE: (f64, f64) = (2.9, 4.3);
@@ -26,9 +28,9 @@ pub fn line(answer: &Answer) -> Option<String> {
         some if some < LIKELY * high => "a fracture is possible",
         _ => "a fracture is likely",
     };
-    let (spent, rim) = (digits(spent, 2), significant(rough(rim)));
+    let (spent, rim) = (digits(spent, 2), plain(rough(rim)));
     let through = if through >= 1.0 {
-        format!(", globe on bone {} N", significant(rough(through)))
+        format!(", globe on bone {} N", plain(rough(through)))
     } else {
         String::new()
     };

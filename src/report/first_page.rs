@@ -3,7 +3,7 @@
 //! paste into a mail or a chart: what to believe, figures with their errors, flags.
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Risk, SIGNS, Share};
+use crate::injury::{BURST, Outcome, Risk, SIGNS, Share};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
@@ -75,16 +75,26 @@ fn injuries(scenario: &Scenario, answer: &Answer) -> (Vec<String>, Vec<String>) 
     let heads = ["how likely", "of 100 who", "of 100 eyes", "seen in"];
     let mut lines = vec![
         line("injury", if living { heads } else { ["how likely", "", "of 100 eyes", ""] }),
-        line("", if living { ["", "come to see", "hit so", "clinics"] } else { ["", "", "hit so", ""] }),
+        line(
+            "",
+            if living { ["", "come to see", "hit so", "clinics"] } else { ["", "", "hit so", ""] },
+        ),
     ];
     for risk in &risks {
         let said = risk.usable && !risk.is_open();
-        let cell = |share: Option<Share>| share.filter(|_| said).map_or(String::new(), |s| in_hundred(&s));
-        let seen = risk.counted.map_or_else(String::new, |(outcome, _)| outcome.count());
+        let cell =
+            |share: Option<Share>| share.filter(|_| said).map_or(String::new(), |s| in_hundred(&s));
+        let seen = risk.counted.map_or_else(String::new, |(outcome, _)| seen(outcome));
         let (come, hit) = (cell(risk.clinic), cell(Some(risk.hit)));
         lines.push(line(risk.injury.name(), [risk.word(), &come, &hit, &seen]));
     }
     (lines, notes(scenario, answer, &risks))
+}
+
+/// What was counted: `12 of 71`, `≥1 of 34 ref.` of those who were referred.
+fn seen(outcome: &Outcome) -> String {
+    let referred = if outcome.whose().is_empty() { "" } else { " ref." };
+    outcome.count().replace("at least ", "≥") + referred
 }
 
 /// A share with its range, of a hundred: `12 (3-30)`.
@@ -94,7 +104,8 @@ fn in_hundred(share: &Share) -> String {
     if high < 1.0 {
         return "under 1".to_owned();
     }
-    let told = if whole(share.told) < 1.0 { "<1".to_owned() } else { whole(share.told).to_string() };
+    let told =
+        if whole(share.told) < 1.0 { "<1".to_owned() } else { whole(share.told).to_string() };
     if low == high { told } else { format!("{told} ({low}-{high})") }
 }
 
@@ -105,16 +116,16 @@ fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
     let from = (!answer.others.is_empty()).then(|| {
         format!("risks are means over {} directions, the rest is of one", 1 + answer.others.len())
     });
-    let laboratory = risks.iter().filter_map(|risk| {
-        Some(format!("{}: {}", risk.injury.word(), risk.in_laboratory()?))
-    });
+    let laboratory = risks
+        .iter()
+        .filter_map(|risk| Some(format!("{}: {}", risk.injury.word(), risk.in_laboratory()?)));
     let look = look_for::lines(answer, risks, scenario.eye_side());
-    let look = look.into_iter().take(1).map(|(_, words)| words);
+    let look = look.into_iter().take(1).map(|(_, words)| words.trim_end_matches('.').to_owned());
     let open = risks.iter().filter(|risk| risk.is_open());
     let open = open.map(|risk| format!("{}: {}", risk.injury.word(), risk.felt()));
     let of_kind = answer.case.blow.as_ref().and_then(|blow| blow.near);
     let seen = of_kind.filter(|_| risks.iter().any(|risk| risk.counted.is_some()));
-    let seen = seen.map(|objects| format!("seen: {objects}, series as --all names them"));
+    let seen = seen.map(|objects| format!("seen: {objects}, ref. where referred; --all names who"));
     let brackets = "in brackets 8 of 10 of what it may be".to_owned();
     spoiled
         .into_iter()

@@ -47,12 +47,20 @@ pub fn text(studies: &[Study; 2], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
     }
     writeln!(out, "(the last two: standard deviations of log10 of the measure)\n")?;
-    writeln!(out, "{:30} {:12} {:9} {:>7} {:>5} {:>5} {:>5}", "series", "kind", "injury", "seen", "told", "fit", "out")?;
+    writeln!(
+        out,
+        "{:30} {:12} {:9} {:>7} {:>5} {:>5} {:>5}",
+        "series", "kind", "injury", "seen", "told", "fit", "out"
+    )?;
     studies[1].scored.iter().try_for_each(|scored| row(scored, out))?;
     let what = "fit, out: ln of the chance of the count, fitted and with its kind left out; told: \
                 in %, by the most likely points.";
     paragraph(what, out)?;
-    writeln!(out, "\nMean ln of a count's chance   {:>14} {:>8} {:>9} {:>11}", "rows", "fitted", "left out", "laboratory")?;
+    writeln!(
+        out,
+        "\nMean ln of a count's chance   {:>14} {:>8} {:>9} {:>11}",
+        "rows", "fitted", "left out", "laboratory"
+    )?;
     for (name, mean) in scores(studies) {
         let MeanScore { rows, fitted, left_out, laboratory } = mean;
         writeln!(out, "{name:36} {rows:>7} {fitted:>8.3} {left_out:>9.3} {laboratory:>11.3}")?;

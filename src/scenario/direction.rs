@@ -15,8 +15,9 @@ pub const STEEPEST_OBJECT_DEG: f64 = 75.0;
 /// The farthest beside the middle of the globe that an object may be aimed, in mm.
 pub const FARTHEST_AIM_MM: f64 = 10.0;
 
-/// Directions as hits come where nobody knows them, equally likely: angle in degrees and the hour of
-/// it, offset in mm and the hour of that, of a right eye. Judged: nobody measured how eyes are hit.
+/// Directions as hits come where nobody knows them, equally likely: angle in degrees and the hour
+/// of it, offset in mm and the hour of that, of a right eye. Judged: nobody measured how eyes are
+/// hit.
 pub const AS_HITS_COME: [[f64; 4]; 6] = [
     [0.0, 12.0, 0.0, 12.0],
     [12.0, 9.0, 2.0, 9.0],

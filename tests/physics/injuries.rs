@@ -121,7 +121,8 @@ fn no_risk_falls_while_speed_rises_but_within_a_tenth_of_its_range() {
         .collect();
     let all: Vec<(&str, &[f64])> =
         small.iter().map(|name| (name.as_str(), &SHARES[..])).chain(wide).collect();
-    let falls: Vec<String> = all.par_iter().flat_map(|(name, shares)| falls(name, shares)).collect();
+    let falls: Vec<String> =
+        all.par_iter().flat_map(|(name, shares)| falls(name, shares)).collect();
     assert!(falls.is_empty(), "{}", falls.join("\n"));
 }
 

@@ -9,8 +9,8 @@ use serde_json::Value;
 fn a_quick_answer_has_no_mesh_error_and_the_same_risks() {
     let without = json(&["run", "paper-300n", "--quick"]);
     assert!(without["error"]["mesh_percent"].is_null());
-    let [quick, whole, meshes] =
-        [&["--quick"][..], &[], &["--meshes"]].map(|more| json(&[&["run", "bb-56"], more].concat()));
+    let [quick, whole, meshes] = [&["--quick"][..], &[], &["--meshes"]]
+        .map(|more| json(&[&["run", "bb-56"], more].concat()));
     // Risks are final whatever else is asked for.
     assert_eq!(quick["risks"], whole["risks"]);
     let hit = |of: &serde_json::Value| of["risks"]["hyphema"]["hit_percent"].clone();

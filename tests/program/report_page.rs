@@ -31,7 +31,7 @@ fn a_page_holds_the_answer_and_loads_nothing() {
     let page = read(&written(folder.path(), "one.html", &short));
     for words in [
         "globe rupture</strong>",
-        "like a BB at",
+        "found in ",
         "window_short",
         "Cornea pushed in",
         "0.345 g",

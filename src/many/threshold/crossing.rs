@@ -3,9 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use super::ThresholdSearch;
-use crate::answer::solve::{Answer, solve};
 use crate::answer::mesh_error::{add_mesh_error, is_asked};
 use crate::answer::results::Results;
+use crate::answer::solve::{Answer, solve};
 use crate::injury::{Injury, Risk};
 use crate::many::root::{Bracket, narrowed};
 use crate::run::refusal::{Refusal, unstopped};
@@ -133,9 +133,9 @@ impl ThresholdSearch {
         // Whether the upper or lower end of the range has the target at a value, if it is known.
         let reached = |value: f64, upper: bool| {
             let run = if_known(solve(&self.at(value)?, Keep::default(), &mut until(stop)))?;
-            Ok(run.and_then(|run| run.risk(injury)).map(|risk| {
-                (if upper { risk.hit.high } else { risk.hit.low }) >= target
-            }))
+            Ok(run
+                .and_then(|run| run.risk(injury))
+                .map(|risk| (if upper { risk.hit.high } else { risk.hit.low }) >= target))
         };
         let end = |upper: bool| {
             // The upper end has the target where the risk itself has not yet, the lower one later.

@@ -11,8 +11,8 @@ use crate::scenario::direction::place as place_name;
 use std::f64::consts::{PI, TAU};
 
 /// The readings of a run, measures of tissues as the mean over the clock of the most at each hour.
-/// Straight on that is what the axisymmetric eye reads, where the largest over the clock jumps to 1.3
-/// to 2 times as much as soon as the blow leaves the axis. Its time is that of the largest.
+/// Straight on that is what the axisymmetric eye reads, where the largest over the clock jumps to
+/// 1.3 to 2 times as much as soon as the blow leaves the axis. Its time is that of the largest.
 pub(crate) fn over_the_clock(readings: &mut Readings, e: &Extremes) {
     let sectors = &e.sectors;
     let hours: [(Quantity, &[f64]); 5] = [

@@ -13,16 +13,8 @@ pub(super) struct Directions;
 const STRAIGHT_ON: &str = "StraightOn";
 const NOT_KNOWN: &str = "NotKnown";
 /// Each word, from above by eighths of a turn towards the nose.
-const WORDS: [&str; 8] = [
-    "Above",
-    "AboveNose",
-    "Nose",
-    "BelowNose",
-    "Below",
-    "BelowTemple",
-    "Temple",
-    "AboveTemple",
-];
+const WORDS: [&str; 8] =
+    ["Above", "AboveNose", "Nose", "BelowNose", "Below", "BelowTemple", "Temple", "AboveTemple"];
 
 impl Choices for Directions {
     fn names(&self) -> Vec<&'static str> {

@@ -1,9 +1,10 @@
-//! What tissues felt of each kind of object over speeds and directions: the table that the fit reads.
+//! What tissues felt of each kind of object over speeds and directions: the table that the fit
+//! reads.
 //!
 //! Each row is one run on level 1 as the preset stands, but for speed and direction. The table is
 //! stored, since all of it takes some minutes; [`rerun`] computes it again, and a test a few of its
-//! rows. Where a blow was refused, as through what it would go, the row says nothing, and log10 of a
-//! measure goes on as a power of speed as it does between the others.
+//! rows. Where a blow was refused, as through what it would go, the row says nothing, and log10 of
+//! a measure goes on as a power of speed as it does between the others.
 
 use crate::answer::brief::single;
 use crate::injury::{Injury, KINDS, ObjectKind, PerInjury};

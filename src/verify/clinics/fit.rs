@@ -1,8 +1,9 @@
 //! The most likely points of 50 %, how far they are known, and how well they tell what was counted.
 //!
 //! Newton's method, damped until the density rises, with Cholesky's factors of nalgebra: the
-//! curvature that it needs is also what says how far the points are known (Laplace's approximation),
-//! and a library of optimizers would bring its own numbers of lines and crates for one loop.
+//! curvature that it needs is also what says how far the points are known (Laplace's
+//! approximation), and a library of optimizers would bring its own numbers of lines and crates for
+//! one loop.
 //!
 //! A row is scored by ln of the mean chance of its count over draws from that approximation: fitted
 //! with it, or with all rows of its kind left out.
@@ -121,9 +122,8 @@ impl Fitted {
             let logs = std::iter::once(self.at[j])
                 .chain((0..KINDS.len()).map(|k| self.posterior.point(&self.at, k, j)))
                 .chain([self.at[lambda]]);
-            let keys = std::iter::once("all")
-                .chain(KINDS.iter().map(|kind| kind.key))
-                .chain([LABORATORY]);
+            let keys =
+                std::iter::once("all").chain(KINDS.iter().map(|kind| kind.key)).chain([LABORATORY]);
             let points = keys.zip(logs).enumerate().map(|(i, (kind, log))| FittedPoint {
                 kind: kind.to_owned(),
                 half: rounded(libm::exp10(log)),
@@ -282,8 +282,7 @@ where
 
 /// ln of the mean chance of each row over draws of the unknowns.
 fn mean_chances(asked: &Posterior, draw: impl Fn(u32) -> DVector<f64> + Sync) -> Vec<f64> {
-    let all: Vec<Vec<f64>> =
-        (0..DRAWS).into_par_iter().map(|n| asked.rows(&draw(n))).collect();
+    let all: Vec<Vec<f64>> = (0..DRAWS).into_par_iter().map(|n| asked.rows(&draw(n))).collect();
     let mean = |i: usize| {
         let most = all.iter().map(|row| row[i]).fold(f64::NEG_INFINITY, f64::max);
         let sum: f64 = all.iter().map(|row| libm::exp(row[i] - most)).sum();
@@ -331,7 +330,11 @@ mod tests {
             };
             let (above, below) = (moved(1e-5), moved(-1e-5));
             let found = (above.0 - below.0) / 2e-5;
-            assert!((found - slope[i]).abs() < 1e-3 * (1.0 + found.abs()), "{i} {found} {}", slope[i]);
+            assert!(
+                (found - slope[i]).abs() < 1e-3 * (1.0 + found.abs()),
+                "{i} {found} {}",
+                slope[i]
+            );
             let found = (above.1 - below.1) / 2e-5;
             let off = (&found - curvature.column(i)).amax();
             assert!(off < 1e-2 * (1.0 + found.amax()), "{i} {off} {}", found.amax());

@@ -1,9 +1,9 @@
 //! How likely points of 50 % are, by what was counted: the density that the fit climbs.
 //!
-//! For injury j, kind k: L_jk = mu_j - b_jk is log10 of the kind's point of 50 %, and an eye is hurt
-//! with r = Phi((log10 m - L_jk)/sigma_j), where m is what its tissue felt at one of seven speeds
-//! (Gauss and Hermite's points of a normal distribution of log10 of the speed) from one of six
-//! directions. Over kinds, b_j = kappa_j C^(1/2) z_j is a Gaussian process (see
+//! For injury j, kind k: L_jk = mu_j - b_jk is log10 of the kind's point of 50 %, and an eye is
+//! hurt with r = Phi((log10 m - L_jk)/sigma_j), where m is what its tissue felt at one of seven
+//! speeds (Gauss and Hermite's points of a normal distribution of log10 of the speed) from one of
+//! six directions. Over kinds, b_j = kappa_j C^(1/2) z_j is a Gaussian process (see
 //! [`crate::injury::points`]). Speeds are off by u_k for each kind and by c for all. Who comes to a
 //! clinic follows [`crate::injury::clinic`]; a count is beta-binomial of the share, with
 //! concentration [`Choices::concentration`], as series differ by more than chance.
@@ -282,12 +282,7 @@ impl Posterior {
     }
 
     /// The thirteen numbers of a kind as this setting has them: in laboratories lambda is added.
-    fn in_setting(
-        &self,
-        at: &DVector<f64>,
-        kind: usize,
-        setting: Setting,
-    ) -> [f64; LOCAL] {
+    fn in_setting(&self, at: &DVector<f64>, kind: usize, setting: Setting) -> [f64; LOCAL] {
         let mut local = self.local(at, kind);
         if setting == Setting::Laboratory {
             for j in 0..INJURIES {
@@ -309,8 +304,8 @@ impl Posterior {
                 .map(|&k| self.shares(k, series.setting, &self.in_setting(at, k, series.setting)))
                 .collect();
             for row in &series.rows {
-                let share = shares.iter().map(|s| s.value[row.injury]).sum::<f64>()
-                    / shares.len() as f64;
+                let share =
+                    shares.iter().map(|s| s.value[row.injury]).sum::<f64>() / shares.len() as f64;
                 let concentration = self.choices.concentration;
                 rows[row.place] = beta_binomial(row.hurt, row.eyes, share, concentration).0;
             }
