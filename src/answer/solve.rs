@@ -7,7 +7,7 @@ use crate::answer::compiled::Compiled;
 use crate::answer::directions::other_directions;
 use crate::answer::results::{Limits, Results};
 use crate::answer::validity::{Spoiled, spoiled};
-use crate::injury::{DamageIndex, Felt, Injury, Risk, assess};
+use crate::injury::{DamageIndex, Felt, Injury, PerInjury, Risk, assess, worse};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
 use crate::run::raised::{TwoRuns, of_motion};
@@ -163,6 +163,16 @@ impl Answer {
             next: "take the globe as open until it is seen to be closed",
         };
         if self.pressed_flat() { Some(flat) } else { self.spoiled() }
+    }
+
+    /// The chance that this blow is worse than another for each injury, with what both share taken
+    /// out; none where either tells no risks.
+    pub fn worse(&self, other: &Self) -> Option<PerInjury<f64>> {
+        let told = |answer: &Self| !answer.risks().is_empty() && answer.no_risks().is_none();
+        let (own, others) = (self.case.blow.as_ref()?, other.case.blow.as_ref()?);
+        let (a, b) = (self.felt(), other.felt());
+        let chance = |j: usize| worse(Injury::ALL[j], (own, &a), (others, &b));
+        (told(self) && told(other)).then(|| std::array::from_fn(chance))
     }
 
     /// What the tissues felt, from each direction that the blow may have come from.

@@ -18,18 +18,16 @@ const SMALLEST_DRIVER: f64 = 0.1;
 /// Median and a band, which holds nine in ten, of a risk eight in ten.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// The share [`tail`] lies below.
+    /// The share [`TAIL`] lies below.
     pub low: f64,
     /// Half lies below.
     pub median: f64,
-    /// The share [`tail`] lies above.
+    /// The share [`TAIL`] lies above.
     pub high: f64,
 }
 
-/// The share of the samples beyond each end of the band of a result.
-pub fn tail(of: Quantity) -> f64 {
-    if of.is_risk() { 0.1 } else { 0.05 }
-}
+/// The share of the samples beyond each end of a band.
+pub const TAIL: f64 = 0.05;
 
 /// What the checks of the step error found.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -96,7 +94,7 @@ impl Ensemble {
         values.sort_by(f64::total_cmp);
         let finite = values.iter().all(|v| v.is_finite());
         let at = |p| quantile(&values, p).filter(|_| finite);
-        Some(Band { low: at(tail(of))?, median: at(0.5)?, high: at(1.0 - tail(of))? })
+        Some(Band { low: at(TAIL)?, median: at(0.5)?, high: at(1.0 - TAIL)? })
     }
 
     /// Whether a result of the scenario as it stands lies outside its band, and what may be why: of

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::SIGNS;
+use crate::injury::{Injury, SIGNS, whole};
 use crate::many::comparison::Entry;
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{Figure, cut_signs};
@@ -65,7 +65,7 @@ impl Table {
         let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
-        let notes = cut.into_iter().map(str::to_owned).collect();
+        let notes = cut.into_iter().map(str::to_owned).chain(worse(entries)).collect();
         let rows = entries.iter().map(row).collect();
         Self { heads, rows, notes, remarks: entries.iter().flat_map(remarks).collect() }
     }
@@ -128,6 +128,22 @@ impl Table {
         remarks.try_for_each(|remark| writeln!(out, "- {}", markdown(remark)))?;
         writeln!(out, "\n{SIGNS}")
     }
+}
+
+/// How often the first blow is worse than each other, injury by injury.
+fn worse(entries: &[Entry]) -> Vec<String> {
+    let [first, rest @ ..] = entries else { return Vec::new() };
+    let against = |other: &Entry| {
+        let chances = first.answer()?.worse(other.answer()?)?;
+        let one = |(injury, chance): (&Injury, f64)| {
+            let percent = whole(chance);
+            format!("{} {}", injury.word(), percent.trim_end_matches(" %"))
+        };
+        let said: Vec<String> = Injury::ALL.iter().zip(chances).map(one).collect();
+        let [first, other] = [&first.name, &other.name].map(|name| printable(name));
+        Some(format!("{first} worse than {other}, in so many of 100: {}", said.join(", ")))
+    };
+    rest.iter().filter_map(against).collect()
 }
 
 /// Prints every result as CSV with its errors in %, then which were cut off, flags and refusal.

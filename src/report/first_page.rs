@@ -3,7 +3,7 @@
 //! paste into a mail or a chart: what to believe, figures with their errors, flags.
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Outcome, Risk, SIGNS, Share};
+use crate::injury::{BURST, Injury, Outcome, Risk, SIGNS, Share};
 use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
@@ -119,8 +119,13 @@ fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
     let laboratory = risks
         .iter()
         .filter_map(|risk| Some(format!("{}: {}", risk.injury.word(), risk.in_laboratory()?)));
-    let look = look_for::lines(answer, risks, scenario.eye_side());
-    let look = look.into_iter().take(1).map(|(_, words)| words.trim_end_matches('.').to_owned());
+    // The gravest that is not excluded.
+    let grave = Injury::ALL.iter().filter_map(|of| risks.iter().find(|risk| risk.injury == *of));
+    let look = grave.flat_map(|risk| {
+        let of_one = look_for::lines(answer, std::slice::from_ref(risk), scenario.eye_side());
+        of_one.into_iter().map(|(_, words)| words.trim_end_matches('.').to_owned())
+    });
+    let look: Vec<String> = look.take(1).collect();
     let open = risks.iter().filter(|risk| risk.is_open());
     let open = open.map(|risk| format!("{}: {}", risk.injury.word(), risk.felt()));
     let of_kind = answer.case.blow.as_ref().and_then(|blow| blow.near);

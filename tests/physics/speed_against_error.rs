@@ -24,6 +24,19 @@ fn a_quick_answer_has_no_mesh_error_and_the_same_risks() {
 }
 
 #[test]
+fn run_sweep_and_comparison_tell_the_same_risks() {
+    let risk = |of: &serde_json::Value| of["results"]["hyphema_percent"].as_f64().unwrap();
+    for name in ["bb-56", "airsoft-75", "gel-ball", "champagne-cork"] {
+        let run = json(&["run", name]);
+        let hit = run["risks"]["hyphema"]["hit_percent"].as_f64().unwrap();
+        let low = run["risks"]["hyphema"]["low_percent"].as_f64().unwrap();
+        assert!((hit - risk(&run)).abs() < 0.5 && low <= hit, "{name}");
+        let compared = json(&["compare", name, "foam-dart"]);
+        assert_eq!(compared[0]["risks"], run["risks"], "{name}");
+    }
+}
+
+#[test]
 fn a_tolerance_chooses_the_coarsest_level_that_meets_it_and_says_why() {
     let coarse = json(&["run", "paper-300n", "--tolerance", "40"]);
     let fine = json(&["run", "paper-300n", "--tolerance", "10"]);

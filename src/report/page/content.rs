@@ -96,6 +96,13 @@ pub(super) fn sources(entries: &[Entry]) -> Vec<&'static str> {
     sources
 }
 
+/// The line that somebody fills in by hand.
+pub(super) fn case(scenario: &Scenario) -> String {
+    let (side, ..) = scenario.eye_side().seen();
+    let blank = "_".repeat(16);
+    format!("Case {blank} Date {blank} Eye: {side}")
+}
+
 pub(super) fn mesh(answer: &Answer, scenario: &Scenario) -> String {
     format!("{}; mesh level {}", scenario.description(), answer.case.level())
 }

@@ -9,7 +9,7 @@ use crate::many::comparison::{Entry, leading};
 use crate::plain_text::printable;
 use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::format::{capital, percent};
-use crate::report::page::content::{closing, inputs, mesh, rows, sources};
+use crate::report::page::content::{case, closing, inputs, mesh, rows, sources};
 use crate::report::page::eye::{Picture, STYLE};
 use crate::report::risks::{first_line, lines};
 use crate::report::{bone, look_for};
@@ -109,6 +109,7 @@ fn blow(entry: &Entry) -> Markup {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
+                    p.case { (case(scenario)) }
                     @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
                     p.note { "In brackets: 8 of 10 of what it may be lie in it." }
                     @if let Some(bone) = bone::line(answer) { p.verdict { (bone) } }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
-use crate::injury::{Injury, PerInjury, worse};
+use crate::injury::PerInjury;
 use crate::many::comparison::{ComparisonColumn, Entry, Found, columns, order};
 use crate::plain_text::quoted;
 use crate::run::trace::{OtherTrace, Trace};
@@ -193,14 +193,8 @@ impl Comparison {
     pub(super) fn who_is_worse(&self) -> Option<([&Marked; 2], PerInjury<f64>)> {
         let sorted = self.sorted();
         let two = [sorted.first()?, sorted.get(self.entry.max(1))?].map(|at| &self.entries[*at]);
-        let [a, b] = two.map(|entry| {
-            let answer = entry.answer().filter(|of| of.spoiled().is_none())?;
-            let felt = answer.felt();
-            Some((answer.case.blow.as_ref()?, felt)).filter(|(_, felt)| !felt.is_empty())
-        });
-        let ((a, felt_a), (b, felt_b)) = (a?, b?);
-        let chance = |j: usize| worse(Injury::ALL[j], (a, &felt_a), (b, &felt_b));
-        Some((two, std::array::from_fn(chance)))
+        let [a, b] = two.map(Entry::answer);
+        Some((two, a?.worse(b?)?))
     }
 
     /// Changes an entry; the cursor of the table stays with its own, wherever that is sorted to.
