@@ -162,7 +162,12 @@ impl Answer {
             why: "eye pressed flat: worse than the model can tell".to_owned(),
             next: "take the globe as open until it is seen to be closed",
         };
-        if self.pressed_flat() { Some(flat) } else { self.spoiled() }
+        if !self.pressed_flat() {
+            return self.spoiled();
+        }
+        // Blows of a kind that clinics counted were fitted through eyes as flat.
+        let fitted = self.case.blow.is_some_and(|blow| blow.near.is_some() && !blow.unusual);
+        (!fitted).then_some(flat)
     }
 
     /// The chance that this blow is worse than another for each injury, with what both share taken

@@ -25,12 +25,12 @@ macro_rules! built_in {
 
 static BUILT_IN: &[(&str, &str)] = built_in![
     "air-rifle-pellet" "airbag-foam" "airsoft-75" "airsoft-99" "baseball-34" "baseball-41" "bb-56"
-    "bb-62" "bb-92" "bedside" "champagne-cork" "fine-mesh" "fist" "foam-dart" "gel-ball" "golf-ball"
+    "bb-62" "bb-92" "champagne-cork" "fine-mesh" "fist" "foam-dart" "gel-ball" "golf-ball"
     "half-sine-below" "hockey-puck" "narrow-blow" "no-filaments" "off-axis-triangle" "paintball"
     "paper-100n" "paper-300n" "paper-600n" "pickleball" "racquetball" "rubber-round" "sharp-edges"
     "shuttlecock"
     "small-area" "soccer-ball" "soft-triangle" "softball" "sponge-round" "squash-ball"
-    "tennis-ball" "test-ball-46" "wide-area"
+    "tennis-ball" "test-ball-46" "unknown-side" "wide-area"
 ];
 
 /// Where a preset comes from.

@@ -158,9 +158,11 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
         objects += 1;
         let doubtful = [MeshFolded, NotPredictable, Unconverged];
         // Its errors are 8 % where the eye is pressed flatter than in any test.
-        let flat = name == "air-rifle-pellet" && kinds.contains(&BeyondTests);
+        let flat = name == "air-rifle-pellet" && kinds.contains(&BeyondTests)
+            || kinds.contains(&FlagKind::EyeFlat);
         let flagged = flat || doubtful.iter().any(|kind| kinds.contains(kind));
-        assert!(answer.errors.time_step_percent().unwrap() < 1.5 || flagged, "{name}");
+        let small = answer.errors.time_step_percent().is_some_and(|error| error < 1.5);
+        assert!(small || flagged, "{name}");
         assert!(!answer.risks().is_empty(), "{name}");
         let words = preset.text().unwrap();
         assert!(words.starts_with("//"), "{name}");
