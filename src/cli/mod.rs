@@ -120,6 +120,7 @@ enum Command {
 }
 
 #[derive(Debug, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 struct RunArgs {
     #[command(flatten)]
     scenario: ScenarioArgs,

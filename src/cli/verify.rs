@@ -150,7 +150,7 @@ pub fn run(args: &VerifyArgs, out: &mut dyn Write) -> Result<(), CliError> {
         VerifyCommand::Fit { what: WhichFit::Clinics, .. } => {
             let felt = felt::stored();
             let studies =
-                [study(&felt, first_rows(), CHOICES), study(&felt, fitted_rows(), CHOICES)];
+                [study(&felt, &first_rows(), CHOICES), study(&felt, &fitted_rows(), CHOICES)];
             return print(args, &studies, outcome_fit::json, outcome_fit::text, out);
         }
         VerifyCommand::Fit { what: WhichFit::Laboratory, .. } => {

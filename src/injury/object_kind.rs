@@ -101,6 +101,9 @@ impl ObjectKind {
     }
 
     /// What makes it like others.
+    ///
+    /// # Panics
+    /// Never: its preset has an object.
     pub fn features(&self) -> Features {
         features(self.scenario().projectile().expect("a kind is an object"))
     }

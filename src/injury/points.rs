@@ -1,8 +1,8 @@
 //! Points of 50 % that were fitted to what clinics counted, and what they say of any object.
 //!
-//! How far a kind's point lies below that of all, b_j, has the covariance kappa_j^2 (s exp(-d^2/2)
-//! + (1 - s) exp(-d^2/(2 n^2))) over kinds that are d apart: a share s that neighbours have in
-//! common, the rest a kind's own, which two objects share only where they are nearly the same (n).
+//! How far a kind's point lies below that of all, `b_j`, has over kinds that are d apart the
+//! covariance `kappa_j^2 (s exp(-d^2/2) + (1 - s) exp(-d^2/(2 n^2)))`: a share s that neighbours have
+//! in common, the rest a kind's own, which two objects share only where they are nearly the same (n).
 //! So a squash ball tells of a racquetball and little of a BB, and nothing jumps.
 //!
 //! With C that matrix over the fitted kinds and c its column for an object, w = C^-1 c: the
@@ -40,7 +40,8 @@ impl Covariance {
 
     /// Of all kinds.
     pub fn over_kinds(&self) -> DMatrix<f64> {
-        let features: Vec<Features> = KINDS.iter().map(|kind| kind.features()).collect();
+        let features: Vec<Features> =
+            KINDS.iter().map(super::object_kind::ObjectKind::features).collect();
         DMatrix::from_fn(KINDS.len(), KINDS.len(), |a, b| self.of(&features[a], &features[b]))
     }
 }
@@ -117,7 +118,7 @@ static READY: LazyLock<Table> = LazyLock::new(|| {
     Table {
         injuries: Injury::ALL.iter().zip(fitted()).map(ready).collect(),
         inverse: inverse.expect("no two kinds are alike"),
-        features: KINDS.iter().map(|kind| kind.features()).collect(),
+        features: KINDS.iter().map(super::object_kind::ObjectKind::features).collect(),
     }
 });
 

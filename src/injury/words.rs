@@ -81,12 +81,12 @@ impl Risk {
 
     /// Told in whole percent, or a sign that it is not said.
     pub fn middle(&self) -> String {
-        self.figure(|share| share.percent())
+        self.figure(super::risk::Share::percent)
     }
 
     /// The range in whole percent, or a sign that it is not said.
     pub fn range(&self) -> String {
-        self.figure(|share| share.range())
+        self.figure(super::risk::Share::range)
     }
 
     fn figure(&self, of: impl Fn(&Share) -> String) -> String {

@@ -40,7 +40,7 @@ pub fn page() -> String {
     let all = outcomes();
     for (k, kind) in KINDS.iter().enumerate() {
         let own: Vec<&Outcome> = all.iter().filter(|row| row.kinds() == [k]).collect();
-        text += &format!("\n## {}\n\n", capital(kind.name));
+        text.extend(["\n## ", &capital(kind.name), "\n\n"]);
         rows(&own, &mut text);
     }
     let mut objects: Vec<&str> = Vec::new();
@@ -50,7 +50,7 @@ pub fn page() -> String {
         }
     }
     for object in objects {
-        text += &format!("\n## {}\n\n", capital(object));
+        text.extend(["\n## ", &capital(object), "\n\n"]);
         let own = |row: &&Outcome| row.kinds().len() != 1 && row.object == object;
         rows(&all.iter().filter(own).collect::<Vec<_>>(), &mut text);
     }

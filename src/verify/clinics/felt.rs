@@ -63,6 +63,7 @@ impl FeltRow {
     }
 
     /// Computes it again.
+    #[must_use]
     pub fn rerun(&self) -> Self {
         let felt = self.scenario().map(|scenario| felt(&scenario));
         let [rupture, back, front, lens, hyphema, abrasion] =
@@ -168,7 +169,6 @@ impl FeltTable {
 
     /// log10 of the measures at log10 of a speed by direction, and how they rise with it; beyond
     /// the table as a power of speed.
-    #[expect(clippy::type_complexity, reason = "values and slopes, both by direction and injury")]
     pub fn at(
         &self,
         speed: f64,

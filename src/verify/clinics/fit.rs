@@ -83,6 +83,9 @@ fn climb(posterior: &Posterior, start: DVector<f64>) -> (DVector<f64>, f64) {
 }
 
 /// Fits to rows; the abrasion's curve has two optima, so several starts are taken.
+///
+/// # Panics
+/// Never: there is a start.
 pub fn fit<'a>(
     felt: &[FeltRow],
     rows: impl Iterator<Item = &'a Outcome>,
@@ -162,19 +165,13 @@ pub fn as_ron(table: &[FittedInjury]) -> String {
         "// Points of 50 % by kind of object, fitted to what clinics counted: contrecoup verify fit --points\n[\n",
     );
     for of in table {
-        text += &format!(
-            "    (injury: {:?}, eyes: {:?}, kinds_differ: {:?}, points: [\n",
-            of.injury, of.eyes, of.kinds_differ
-        );
-        for point in &of.points {
-            let with: Vec<String> = point.with.iter().map(|with| format!("{with:.2}")).collect();
-            text += &format!(
-                "        (kind: {:?}, half: {:?}, known: {:?}, with: [{}]),\n",
-                point.kind,
-                point.half,
-                point.known,
-                with.join(", ")
-            );
+        let FittedInjury { injury, eyes, kinds_differ, .. } = of;
+        let head = format!("(injury: {injury:?}, eyes: {eyes:?}, kinds_differ: {kinds_differ:?}");
+        text.extend(["    ", &head, ", points: [\n"]);
+        for FittedPoint { kind, half, known, with } in &of.points {
+            let with: Vec<String> = with.iter().map(|with| format!("{with:.2}")).collect();
+            let point = format!("(kind: {kind:?}, half: {half:?}, known: {known:?}, with: [");
+            text.extend(["        ", &point, &with.join(", "), "]),\n"]);
         }
         text += "    ]),\n";
     }
@@ -245,7 +242,7 @@ pub fn first_rows() -> impl Iterator<Item = &'static Outcome> + Clone {
 }
 
 /// Fits to rows, and without each kind in turn, and scores every row of one kind.
-pub fn study<I>(felt: &[FeltRow], rows: I, choices: Choices) -> Study
+pub fn study<I>(felt: &[FeltRow], rows: &I, choices: Choices) -> Study
 where
     I: Iterator<Item = &'static Outcome> + Clone + Send + Sync,
 {

@@ -1,14 +1,14 @@
 //! How likely points of 50 % are, by what was counted: the density that the fit climbs.
 //!
-//! For injury j, kind k: L_jk = mu_j - b_jk is log10 of the kind's point of 50 %, and an eye is
-//! hurt with r = Phi((log10 m - L_jk)/sigma_j), where m is what its tissue felt at one of seven
+//! For injury j, kind k: `L_jk` = `mu_j` - `b_jk` is log10 of the kind's point of 50 %, and an eye is
+//! hurt with r = Phi((log10 m - `L_jk)/sigma_j`), where m is what its tissue felt at one of seven
 //! speeds (Gauss and Hermite's points of a normal distribution of log10 of the speed) from one of
-//! six directions. Over kinds, b_j = kappa_j C^(1/2) z_j is a Gaussian process (see
-//! [`crate::injury::points`]). Speeds are off by u_k for each kind and by c for all. Who comes to a
+//! six directions. Over kinds, `b_j` = `kappa_j` C^(1/2) `z_j` is a Gaussian process (see
+//! [`crate::injury::points`]). Speeds are off by `u_k` for each kind and by c for all. Who comes to a
 //! clinic follows [`crate::injury::clinic`]; a count is beta-binomial of the share, with
 //! concentration [`Choices::concentration`], as series differ by more than chance.
 //!
-//! In laboratories L_jk + lambda_j counts, which published points of 50 % tell of.
+//! In laboratories `L_jk` + `lambda_j` counts, which published points of 50 % tell of.
 //!
 //! Unknowns in their order: mu, ln sigma, ln kappa, lambda (six each), z by kind (six each), u by
 //! kind, c. Of a kind only thirteen numbers matter to its counts: L and ln sigma of each injury and
@@ -141,6 +141,9 @@ fn digamma(mut x: f64) -> f64 {
 
 impl Posterior {
     /// Of these counts, by what tissues felt.
+    ///
+    /// # Panics
+    /// Never: no two kinds are alike.
     pub fn new<'a>(
         felt: &[FeltRow],
         outcomes: impl Iterator<Item = &'a Outcome>,
@@ -263,8 +266,8 @@ impl Posterior {
                     with[i] += weight * coming.with[i];
                     for (k, place) in [i, INJURIES + i, SHIFT].into_iter().enumerate() {
                         all_slope[place] += weight * slopes.all[i] * own[i][k];
-                        for j in 0..INJURIES {
-                            with_slope[j][place] += weight * slopes.with[j][i] * own[i][k];
+                        for (of, with) in with_slope.iter_mut().zip(&slopes.with) {
+                            of[place] += weight * with[i] * own[i][k];
                         }
                     }
                 }
@@ -338,8 +341,8 @@ impl Posterior {
                 let (value, steep) = beta_binomial(row.hurt, row.eyes, share, concentration);
                 sum += row.weight * value;
                 for (local, (_, shares)) in local.iter_mut().zip(&each) {
-                    for i in 0..LOCAL {
-                        local[i] += row.weight * steep / count * shares.slope[row.injury][i];
+                    for (local, slope) in local.iter_mut().zip(shares.slope[row.injury]) {
+                        *local += row.weight * steep / count * slope;
                     }
                 }
             }
