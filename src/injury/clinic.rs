@@ -1,10 +1,10 @@
 //! Who comes to a clinic after a blow, and what is found in those who come.
 //!
-//! With `r_j` the chance that a blow brings injury j about, and `w_j` the chance that somebody with it
-//! alone comes for it, none = (1 - c) `prod_j` (1 - `w_j` `r_j`) stay at home, c being those who come
-//! with nothing. Of those who come the share with j is `seen_j` `r_j` (1 - (1 - `w_j`) none/(1 - `w_j`
-//! `r_j`)) / (1 - none), where `seen_j` says how much of it is found and written down. Over several
-//! blows both sides are means.
+//! With `r_j` the chance that a blow brings injury j about, and `w_j` the chance that somebody with
+//! it alone comes for it, `none = (1 - c) prod_j (1 - w_j r_j)` stay at home, c being those who
+//! come with nothing. Of those who come the share with j is
+//! `seen_j r_j (1 - (1 - w_j) none/(1 - w_j r_j)) / (1 - none)`, where `seen_j` says how much of it
+//! is found and written down. Over several blows both sides are means.
 //!
 //! The chances are judged. Left out: that injuries hang together beyond what one blow makes of
 //! them.

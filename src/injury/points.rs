@@ -1,9 +1,9 @@
 //! Points of 50 % that were fitted to what clinics counted, and what they say of any object.
 //!
 //! How far a kind's point lies below that of all, `b_j`, has over kinds that are d apart the
-//! covariance `kappa_j^2 (s exp(-d^2/2) + (1 - s) exp(-d^2/(2 n^2)))`: a share s that neighbours have
-//! in common, the rest a kind's own, which two objects share only where they are nearly the same (n).
-//! So a squash ball tells of a racquetball and little of a BB, and nothing jumps.
+//! covariance `kappa_j^2 (s exp(-d^2/2) + (1 - s) exp(-d^2/(2 n^2)))`: a share s that neighbours
+//! have in common, the rest a kind's own, which two objects share only where they are nearly the
+//! same (n). So a squash ball tells of a racquetball and little of a BB, and nothing jumps.
 //!
 //! With C that matrix over the fitted kinds and c its column for an object, w = C^-1 c: the
 //! object's point is mu (1 - sum w) + w L, its variance that of this sum by the covariance of the
