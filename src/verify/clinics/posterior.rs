@@ -1,9 +1,9 @@
 //! How likely points of 50 % are, by what was counted: the density that the fit climbs.
 //!
-//! For injury j, kind k: `L_jk` = `mu_j` - `b_jk` is log10 of the kind's point of 50 %, and an eye
-//! is hurt with r = Phi((log10 m - `L_jk)/sigma_j`), where m is what its tissue felt at one of
-//! seven speeds (Gauss and Hermite's points of a normal distribution of log10 of the speed) from
-//! one of six directions. Over kinds, `b_j` = `kappa_j` C^(1/2) `z_j` is a Gaussian process (see
+//! For injury j, kind k: `L_jk = mu_j - b_jk` is log10 of the kind's point of 50 %, and an eye is
+//! hurt with `r = Phi((log10 m - L_jk)/sigma_j)`, where m is what its tissue felt at one of seven
+//! speeds (Gauss and Hermite's points of a normal distribution of log10 of the speed) from one of
+//! six directions. Over kinds, `b_j = kappa_j C^(1/2) z_j` is a Gaussian process (see
 //! [`crate::injury::points`]). Speeds are off by `u_k` for each kind and by c for all. Who comes to
 //! a clinic follows [`crate::injury::clinic`]; a count is beta-binomial of the share, with
 //! concentration [`Choices::concentration`], as series differ by more than chance.
