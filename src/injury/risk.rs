@@ -67,6 +67,8 @@ pub struct Risk {
     pub laboratory: Option<Share>,
     /// What was counted of objects near enough, and their name.
     pub counted: Option<(&'static Outcome, &'static str)>,
+    /// Whether anything was counted of objects near enough.
+    pub of_counted_kind: bool,
     /// What the tissue felt over what hurts half of all eyes, a mean over directions.
     pub of_half: f64,
     /// Whether the run can be believed at all.
@@ -182,6 +184,7 @@ pub fn assess(blow: &Blow, injury: Injury, felt: &[Felt], cut: bool) -> Risk {
         clinic,
         laboratory: laboratory.filter(differs),
         counted: blow.counted[j].zip(blow.near),
+        of_counted_kind: blow.near.is_some(),
         of_half: mean(felt, half),
         usable: true,
         cut,

@@ -11,6 +11,8 @@ pub const UNSAID: &str = "?";
 pub const BURST: &str = "an open globe has the others too";
 /// Stands where nobody counted and a range would say nothing.
 pub const NOBODY: &str = "nobody counted";
+/// Stands where others of a kind's injuries were counted, but not this one.
+pub const TOO_WIDE: &str = "too wide to tell";
 /// Stands under every answer, whatever it says.
 pub const SIGNS: &str = "Pain, poor vision, blood, an odd pupil or double vision need an eye doctor \
     today; a low figure is no reassurance. Research and education, not diagnosis.";
@@ -66,15 +68,17 @@ impl Risk {
     pub fn word(&self) -> &'static str {
         match () {
             () if !self.usable => "not known",
+            () if self.is_open() && self.of_counted_kind => TOO_WIDE,
             () if self.is_open() => NOBODY,
             () => WORDS[self.gravity()],
         }
     }
 
-    /// Its place in the ladder of words: by the graver of both shares, and a step more where
-    /// laboratories tell more.
+    /// Its place in the ladder of words: by what is told, a step more where laboratories tell more,
+    /// and never the least where clinics counted any.
     pub fn gravity(&self) -> usize {
-        let own = gravity(&self.share()).max(gravity(&self.hit));
+        let seen = self.counted.is_some_and(|(outcome, _)| outcome.hurt > 0);
+        let own = gravity(&self.share()).max(usize::from(seen));
         let other = self.laboratory.map_or(0, |other| gravity(&other));
         own.max(other.min(own + 1))
     }
@@ -128,7 +132,7 @@ impl Risk {
             return vec![self.word().to_owned()];
         }
         let mut parts = vec![if self.is_open() {
-            format!("{NOBODY}; {}", self.felt())
+            format!("{}; {}", self.word(), self.felt())
         } else {
             let share = self.share();
             let of = if self.clinic.is_some() { "found in" } else { "in" };

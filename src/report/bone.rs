@@ -5,11 +5,10 @@
 //! that the object spent at the rim, of which soft ones keep a part in themselves: it is an upper
 //! end.
 //!
-//! Left out: where bone is thin, and that it breaks.
+//! Left out: where bone is thin, that it breaks, and forces: rigid bone makes them too large.
 
 use crate::answer::solve::Answer;
 use crate::report::format::digits;
-use crate::scenario::problem::plain;
 
 /// Energies at which orbits broke, J.
 const BROKE: (f64, f64) = (2.9, 4.3);
@@ -28,19 +27,8 @@ pub fn line(answer: &Answer) -> Option<String> {
         some if some < LIKELY * high => "a fracture is possible",
         _ => "a fracture is likely",
     };
-    let (spent, rim) = (digits(spent, 2), plain(rough(rim)));
-    let through = if through >= 1.0 {
-        format!(", globe on bone {} N", plain(rough(through)))
-    } else {
-        String::new()
-    };
+    let spent = digits(spent, 2);
     Some(format!(
-        "bone: {word}: up to {spent} J at the rim ({rim} N{through}); orbits of cadavers broke \
-         from {low} to {high} J"
+        "bone: {word}: up to {spent} J at the rim; orbits of cadavers broke from {low} to {high} J"
     ))
-}
-
-/// To two digits.
-fn rough(value: f64) -> f64 {
-    format!("{value:.1e}").parse().unwrap_or(value)
 }

@@ -141,7 +141,8 @@ fn worse(entries: &[Entry]) -> Vec<String> {
         };
         let said: Vec<String> = Injury::ALL.iter().zip(chances).map(one).collect();
         let [first, other] = [&first.name, &other.name].map(|name| printable(name));
-        Some(format!("{first} worse than {other}, in so many of 100: {}", said.join(", ")))
+        let said = said.join(", ");
+        Some(format!("{first} worse than {other} for eyes hit so, in so many of 100: {said}"))
     };
     rest.iter().filter_map(against).collect()
 }

@@ -119,13 +119,13 @@ fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
     let laboratory = risks
         .iter()
         .filter_map(|risk| Some(format!("{}: {}", risk.injury.word(), risk.in_laboratory()?)));
-    // The gravest that is not excluded.
-    let grave = Injury::ALL.iter().filter_map(|of| risks.iter().find(|risk| risk.injury == *of));
-    let look = grave.flat_map(|risk| {
-        let of_one = look_for::lines(answer, std::slice::from_ref(risk), scenario.eye_side());
-        of_one.into_iter().map(|(_, words)| words.trim_end_matches('.').to_owned())
-    });
+    // A globe that may be open comes first, then by figure.
+    let look = look_for::lines(answer, risks, scenario.eye_side());
+    let look =
+        look.into_iter().map(|(name, words)| format!("{name}: {}", words.trim_end_matches('.')));
     let look: Vec<String> = look.take(1).collect();
+    let (globe, look): (Vec<String>, Vec<String>) =
+        look.into_iter().partition(|line| line.starts_with(Injury::GlobeRupture.name()));
     let open = risks.iter().filter(|risk| risk.is_open());
     let open = open.map(|risk| format!("{}: {}", risk.injury.word(), risk.felt()));
     let of_kind = answer.case.blow.as_ref().and_then(|blow| blow.near);
@@ -134,10 +134,11 @@ fn notes(scenario: &Scenario, answer: &Answer, risks: &[Risk]) -> Vec<String> {
     let brackets = "in brackets 8 of 10 of what it may be".to_owned();
     spoiled
         .into_iter()
+        .chain(globe)
         .chain(opens)
         .chain(bone::line(answer))
-        .chain(from)
         .chain(look)
+        .chain(from)
         .chain(laboratory)
         .chain(open)
         .chain([brackets])

@@ -79,7 +79,7 @@ pub fn lines(answer: &Answer, risks: &[Risk], side: Side) -> Vec<(&'static str, 
     let of = |risk: &Risk| {
         let [first, second] = risk.injury.look_for();
         let place = hours(answer, risk.injury, side);
-        let place = place.map_or_else(String::new, |hours| format!(" Most at {hours}."));
+        let place = place.map_or_else(String::new, |hours| format!(" Strained most at {hours}."));
         (risk.injury.name(), format!("{first} {second}{place}"))
     };
     risks.iter().filter(excluded).map(of).collect()

@@ -501,7 +501,8 @@ fn main_answers_first_then_says_what_limits_that_and_draws_what_the_eye_feels() 
             let line = text.lines().nth(row(name)).unwrap();
             let (_, said) = line.rsplit_once('│').unwrap_or(("", line));
             let numbers = said.split_whitespace().filter(|word| word.contains(char::is_numeric));
-            assert!(numbers.count() >= 3 || line.contains("nobody counted"), "{line}");
+            let open = line.contains("nobody counted") || line.contains("too wide to tell");
+            assert!(numbers.count() >= 3 || open, "{line}");
             assert!(row(name) < row("Index "), "{text}");
         }
         assert!(row("of 100 who come") < row("globe rupture"), "{text}");
