@@ -17,7 +17,7 @@
 
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
-use crate::answer::uncertain::{UncertainInput, inputs};
+use crate::answer::uncertain::{UncertainInput, inputs, put};
 use crate::many::statistics::median;
 use crate::run::{ordered, ordered::until, refusal::Refusal, refusal::unstopped, threads};
 use crate::scenario::{CheckedScenario, Scenario};
@@ -115,11 +115,10 @@ impl Job<'_> {
             // The sequence has 23 bits; the middle of its cell is never 0 or 1.
             let u =
                 f64::from(sobol_burley::sample(index, dimension, self.seed)) + 0.5 / 8_388_608.0;
-            let value = input.value(u);
-            input.put(&mut changed, value);
-            value
+            input.value(u)
         };
-        let values = (0..).zip(self.inputs).map(draw).collect();
+        let values: Vec<f64> = (0..).zip(self.inputs).map(draw).collect();
+        put(&mut changed, self.inputs, &values);
         (changed, values)
     }
 

@@ -9,7 +9,8 @@
 use crate::answer::brief::{BriefAnswer, checked};
 use crate::run::{quantity::Quantity, refusal::Refusal, refusal::unstopped, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario, fields, load::to_ron, problem::Problem};
-use crate::scenario::{problem::ScenarioError, set::full_path, set::model_first, set::set};
+use crate::scenario::{problem::ScenarioError, set::full_path, set::in_order};
+use crate::scenario::{set::set_one_of_several, set::settle};
 
 /// Most rows of a grid.
 pub const MAX_ROWS: usize = 10_000_000;
@@ -106,12 +107,12 @@ impl Sweep {
             }
             for value in &mut axes[i].values {
                 let mut changed = scenario.clone();
-                set(&mut changed, &path, value)?;
+                set_one_of_several(&mut changed, &path, value)?;
                 let plain = fields::find(&path).and_then(|field| field.text(&changed));
                 // The word for a recorded curve does not say which; the name of its file does.
                 let says_all = |plain: &String| {
                     let mut again = scenario.clone();
-                    set(&mut again, &path, plain).is_ok() && again == changed
+                    set_one_of_several(&mut again, &path, plain).is_ok() && again == changed
                 };
                 match plain.filter(says_all) {
                     Some(plain) => *value = plain,
@@ -157,14 +158,15 @@ impl Sweep {
     pub fn scenario(&self, row: usize) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
         let mut changes: Vec<(&SweepAxis, &str)> = self.axes.iter().zip(self.values(row)).collect();
-        model_first(&scenario, &mut changes, |(axis, _)| &axis.path);
+        in_order(&scenario, &mut changes, |(axis, _)| &axis.path);
         for (axis, value) in changes {
-            set(&mut scenario, &axis.path, value)?;
+            set_one_of_several(&mut scenario, &axis.path, value)?;
         }
         scenario.check()
     }
 
     /// Runs a row; nothing if the watch stopped it.
+        settle(&mut scenario);
     pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
         let scenario = self.scenario(number).map_err(Refusal::from);
         let outcome = unstopped(scenario.and_then(|scenario| checked(&scenario, watch)))?;

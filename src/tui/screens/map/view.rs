@@ -17,7 +17,7 @@ use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
 use crate::report::{picture::Part, picture::field::step};
 use crate::run::quantity::Quantity;
-use crate::scenario::{doubt::number, problem::plain, set::put_number};
+use crate::scenario::{doubt::number, problem::plain, set::put_numbers};
 use crate::tui::screens::map::{Map, rounded};
 use crate::tui::screens::screen::state_of_work;
 use crate::tui::view::sheet::{Sheet, along};
@@ -237,9 +237,7 @@ fn axes([x, y]: [Span; 2], field: Rect, sheet: &mut Sheet) {
 fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<Share> {
     let injury = Injury::of(of)?;
     let mut there = model.work.scenario.clone();
-    for (span, value) in map.inputs()? {
-        put_number(&mut there, span.field, value);
-    }
+    put_numbers(&mut there, map.inputs()?.map(|(span, value)| (span.field, value)));
     let blow = Blow::of_tissues(&there).filter(|_| other_scenarios(&there).is_empty())?;
     let mut measures = PerInjury::default();
     for (felt, injury) in measures.iter_mut().zip(Injury::ALL) {
