@@ -29,6 +29,26 @@ fn figures(point: Option<&BriefAnswer>) -> impl Iterator<Item = (String, Option<
     results.chain(ranges)
 }
 
+/// Whether the rows of a sweep differ in where an object comes from.
+fn turns(sweep: &Sweep) -> bool {
+    let fields = ["model", "model.eye_side", "impact", "impact.from"];
+    let of_direction = |path: &str| fields.contains(&path) || path.starts_with("impact.angle");
+    sweep.axes().iter().any(|axis| of_direction(&axis.path))
+}
+
+/// Which eye of a row it is, the side that the object comes from, and the hour: what an axis holds
+/// may be an angle below 0, or a side alone. Nothing of a row that is refused.
+fn direction(sweep: &Sweep, row: usize) -> [(&'static str, Option<String>); 3] {
+    let scenario = sweep.scenario(row).ok();
+    let text = |path: &str| fields::find(path)?.text(scenario.as_deref()?);
+    let straight = ["StraightOn", "NotKnown"];
+    let from = text("impact.from");
+    let turned = from.as_ref().is_some_and(|from| !straight.contains(&from.as_str()));
+    let hour = scenario.as_ref().filter(|_| turned).and_then(|scenario| scenario.projectile());
+    let hour = hour.map(|object| object.angle_clock.to_string());
+    [("eye_side", text("model.eye_side")), ("from", from), ("hour", hour)]
+}
+
 fn csv(cells: &[String]) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let written = writer.write_record(cells);
@@ -45,6 +65,9 @@ impl SweepFormat {
             Self::Csv => {
                 let mut columns = vec!["row".to_owned()];
                 columns.extend(paths.iter().map(|path| (*path).to_owned()));
+                if turns(sweep) {
+                    columns.extend(["eye_side", "from", "hour"].map(str::to_owned));
+                }
                 columns.extend(figures(None).map(|(key, _)| key));
                 columns
                     .extend(["step_error_percent", "flags", "refused", "sum"].map(str::to_owned));
@@ -70,6 +93,11 @@ impl SweepFormat {
                 cells.extend([number(error), flags.join(";")]);
                 // A message of several lines would break the row.
                 cells.push(refused.map_or_else(String::new, |why| cell(&why.replace('\n', "; "))));
+                if turns(sweep) {
+                    cells.extend(
+                        direction(sweep, row.number).map(|(_, text)| text.unwrap_or_default()),
+                    );
+                }
                 self.summed(sweep, csv(&cells).trim_end())
             }
             Self::Json => {
@@ -88,6 +116,9 @@ impl SweepFormat {
             }
         }
     }
+                if turns(sweep) {
+                    object["direction"] = direction(sweep, row.number).into_iter().collect();
+                }
 
     /// The number of a line's row; none if its sum tells that it was changed since it was written.
     pub fn number(self, sweep: &Sweep, line: &str) -> Option<usize> {
