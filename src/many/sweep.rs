@@ -46,8 +46,10 @@ impl SweepAxis {
         let wanted = "expected FIELD=FROM:TO:COUNT or FIELD=A,B,C, as in impact.force_n=100:500:5";
         let (path, text) = typed.split_once('=').ok_or(wanted)?;
         let (path, text) = (path.trim().to_owned(), text.trim());
+        // A clock shows an hour as 7:30; a list of such has commas.
+        let is_list = text.contains(',') || path.ends_with("clock");
         let mut values: Vec<String> = match text.split(':').collect::<Vec<_>>()[..] {
-            [from, to, count] => {
+            [from, to, count] if !text.contains(',') => {
                 let number = |text: &str| text.trim().parse().ok().filter(|n: &f64| n.is_finite());
                 let (from, to) = number(from).zip(number(to)).ok_or(wanted)?;
                 let count = count.trim().parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
@@ -57,7 +59,9 @@ impl SweepAxis {
                 }
                 spaced(from, to, count).iter().map(f64::to_string).collect()
             }
-            [list] => list.split(',').map(|v| v.trim().to_owned()).collect(),
+            ref parts if is_list || parts.len() == 1 => {
+                text.split(',').map(|v| v.trim().to_owned()).collect()
+            }
             _ => return Err(wanted.to_owned()),
         };
         if path.is_empty() || values.iter().any(String::is_empty) {
@@ -162,11 +166,11 @@ impl Sweep {
         for (axis, value) in changes {
             set_one_of_several(&mut scenario, &axis.path, value)?;
         }
+        settle(&mut scenario);
         scenario.check()
     }
 
     /// Runs a row; nothing if the watch stopped it.
-        settle(&mut scenario);
     pub fn run(&self, number: usize, watch: Watch) -> Option<SweepRow> {
         let scenario = self.scenario(number).map_err(Refusal::from);
         let outcome = unstopped(scenario.and_then(|scenario| checked(&scenario, watch)))?;
@@ -209,6 +213,9 @@ mod tests {
         assert_eq!(values("a=5:-5:3"), ["5", "0", "-5"]);
         assert_eq!(values("a=2:2:1"), ["2"]);
         assert_eq!(values("a=x, y"), ["x", "y"]);
+        assert_eq!(values("angle_clock=1:30, 2:30"), ["1:30", "2:30"]);
+        assert_eq!(values("angle_clock=7:30"), ["7:30"]);
+        assert_eq!(values("angle_clock=1:2:3"), ["1", "1.5", "2"]);
         for bad in ["", "=", "=1:2", "=1:2:0", "=1:2:x", "=1:2:1", "=1,,2", "=nan:1:2"] {
             assert!(SweepAxis::read(&format!("a{bad}")).is_err(), "{bad}");
         }
