@@ -42,6 +42,8 @@ pub struct Checks {
     pub first: Option<f64>,
     /// Largest error at the step taken, in %.
     pub last: f64,
+    /// The same of results that lead, in %.
+    pub leading: f64,
 }
 
 impl Ensemble {
@@ -134,7 +136,7 @@ impl Ensemble {
         for (index, sample) in self.samples.iter().enumerate() {
             let kept = sample.outcome.as_ref().ok().filter(|point| !point.folded());
             let Some(check) = kept.and_then(|point| point.check) else { continue };
-            let refined = check.first > self.promise;
+            let refined = check.missed;
             checks.count += 1;
             checks.refined += usize::from(refined);
             if index >= PILOT as usize {
@@ -145,4 +147,5 @@ impl Ensemble {
         }
         checks
     }
+            checks.leading = checks.leading.max(check.leading);
 }

@@ -172,12 +172,12 @@ impl Job<'_> {
 }
 
 /// The longest step that the pilot allows, in s: a little below those at which the samples that
-/// missed `promise`, in %, would just keep it, or that any took. Infinite if all have folded.
-fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
+/// missed the promise would just keep it, or that any took. Infinite if all have folded.
+fn longest_step(pilot: &[Sample]) -> f64 {
     let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
     let checks = points.filter(|p| !p.folded()).filter_map(|p| p.check);
     let tried = checks.clone().map(|check| check.tried).reduce(f64::max);
-    let missed = checks.filter(|check| check.first > promise);
+    let missed = checks.filter(|check| check.missed);
     let good = missed.map(|check| check.good_step).reduce(f64::min);
     good.or(tried).map_or(f64::INFINITY, |step| HEADROOM * step)
 }
@@ -218,7 +218,7 @@ pub fn run(
     let pilot = count.min(PILOT);
     let mut singles = job.gather(pilot, on_sample, &mut ensemble);
     let first = ensemble.samples.len().min(pilot as usize);
-    job.cap = longest_step(&ensemble.samples[..first], ensemble.promise);
+    job.cap = longest_step(&ensemble.samples[..first]);
     ensemble.cap = Some(job.cap).filter(|cap| cap.is_finite());
     if first == pilot as usize {
         singles.extend(job.gather(count, on_sample, &mut ensemble));
@@ -308,17 +308,18 @@ mod tests {
     #[test]
     fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
         let sample = |first, tried, good_step| {
-            let check = Some(Check { first, tried, last: 0.01, good_step });
-            let (values, flags) = (Results::from_fn(|_| None), Vec::new());
+            let (last, missed) = (0.01, first > 0.1);
+            let check = Some(Check { first, last, leading: last, missed, tried, good_step });
+            let (values, flags) = (Results::from_fn(|_| None), FlagKinds::default());
             let answer = BriefAnswer { values, flags, check, ranges: None };
             Sample { drawn: Vec::new(), outcome: Ok(answer) }
         };
         let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
-        let mixed = longest_step(&[stiff.clone(), soft], 0.1);
+        let mixed = longest_step(&[stiff.clone(), soft]);
         assert!((mixed / (HEADROOM * 5e-6) - 1.0).abs() < 1e-12);
-        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)], 0.1);
+        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)]);
         assert!((kept / (HEADROOM * 4e-6) - 1.0).abs() < 1e-12);
-        assert!(longest_step(&[], 0.1).is_infinite());
+        assert!(longest_step(&[]).is_infinite());
     }
 
     #[test]

@@ -365,6 +365,8 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
                     first: 0.02,
                     last: 0.02,
                     tried: 2e-6,
+                    leading: 0.02,
+                    missed: false,
                     good_step: 3e-6,
                 }),
             }),
