@@ -16,8 +16,8 @@ use crate::answer::directions::other_directions;
 use crate::answer::{compiled::Compiled, results::Results, solve::Answer, solve::solve_by};
 use crate::injury::{Injury, PerInjury, told};
 use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
-use crate::run::{flags::FlagKind, kept::Keep, model::Run, plan::Plan, raised::of_motion};
-use crate::run::{refusal::Refusal, watch::Watch};
+use crate::run::{flags::FlagKind, flags::FlagKinds, kept::Keep, model::Run, plan::Plan};
+use crate::run::{raised::of_motion, refusal::Refusal, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// How often a step is shortened, each time at most to a half.
@@ -34,7 +34,7 @@ pub struct BriefAnswer {
     /// Every result.
     pub values: Results,
     /// What limits them; flags that need the step error only where it was checked.
-    pub flags: Vec<FlagKind>,
+    pub flags: FlagKinds,
     /// The step error, where it was checked.
     pub check: Option<Check>,
     /// The 80 % range of each risk, 0 to 1, with the step error alone, where that was checked.
@@ -61,12 +61,12 @@ pub struct Check {
 impl BriefAnswer {
     /// Whether the mesh folded, so that the values are beyond the model's validity.
     pub fn folded(&self) -> bool {
-        self.flags.contains(&FlagKind::MeshFolded)
+        self.flags.contains(FlagKind::MeshFolded)
     }
 
     /// Whether the eye was pressed flat, of which no error is stated.
     pub fn pressed_flat(&self) -> bool {
-        self.flags.contains(&FlagKind::EyeFlat)
+        self.flags.contains(FlagKind::EyeFlat)
     }
 }
 

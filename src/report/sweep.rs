@@ -4,7 +4,7 @@ use crate::answer::brief::BriefAnswer;
 use crate::injury::Injury;
 use crate::many::sweep::{Sweep, SweepRow, fnv1a};
 use crate::plain_text::cell;
-use crate::run::quantity::Quantity;
+use crate::run::{flags::FlagKind, quantity::Quantity};
 use crate::scenario::fields;
 use serde_json::{Value, json};
 
@@ -82,7 +82,8 @@ impl SweepFormat {
 
     pub fn row(self, sweep: &Sweep, row: &SweepRow) -> String {
         let (point, refused) = (row.outcome.as_ref().ok(), row.outcome.as_ref().err());
-        let flags: Vec<&str> = point.iter().flat_map(|p| &p.flags).map(|f| f.name()).collect();
+        let flags: Vec<&str> =
+            point.iter().flat_map(|p| p.flags.iter()).map(FlagKind::name).collect();
         let error = point.and_then(|p| p.check).map(|check| check.last);
         match self {
             Self::Csv => {
