@@ -84,7 +84,7 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
 fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
-        && !plan.integrator.method().adaptive()
+        && !plan.integrator.chooses_its_steps()
         && case.rules().may_lengthen
     {
         plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));

@@ -59,8 +59,8 @@ pub struct Changes {
 
 fn integrators() -> String {
     let mut text = "Integrator; short for `--set numerics.integrator=NAME`\n".to_owned();
-    for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {
-        let (name, about, order) = (method.name, method.about, method.order);
+    for method in Integrator::ALL {
+        let (name, about, order) = (method.name(), method.about(), method.order());
         let each = method.evaluations();
         let line = format!("{name}: {about} Order {order}; force evaluations a step: {each}.");
         text.extend(["\n- ", &line]);

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use crate::injury::{Injury, Risk};
 use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::capital;
-use crate::report::look_for::hours;
+use crate::report::look_for::{hours, look_for};
 use crate::report::risks::{basis, first_line};
 use crate::run::quantity::Quantity;
 use crate::tui::keys::press::{DOWN, UP, c};
@@ -121,7 +121,7 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
 fn explained(shown: &ShownAnswer, risk: &Risk, each: u16) -> Vec<String> {
     let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
     if !risk.usable || risk.is_open() || risk.gravity() > 0 {
-        said.extend(risk.injury.look_for().map(str::to_owned));
+        said.extend(look_for(risk.injury).map(str::to_owned));
         let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
         said.extend(hours.map(|hours| format!("Most at {hours}.")));
     }
