@@ -99,7 +99,7 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
         "error": errors(&answer.errors),
         "numerics": {
             "level": answer.case.level(),
-            "nodes": answer.case.eye.regions().len(),
+            "nodes": answer.case.eye.nodes(),
             element.plural(): answer.case.eye.elements(),
             "integrator": answer.plan.integrator.name(),
             "step_us": answer.step * 1e6,

@@ -147,6 +147,10 @@ impl EyeModel for SpatialCase {
     fn elements(&self) -> usize {
         self.eye.cells.len()
     }
+    fn nodes(&self) -> usize {
+        self.eye.mass.len()
+    }
+
 
     fn step_limit(&self, _: Integrator) -> f64 {
         self.limit
