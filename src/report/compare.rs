@@ -182,7 +182,9 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
 pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
         let mut object = match entry.answer() {
-            None => json!({ "scenario": entry.scenario, "refused": entry.refused() }),
+            None => {
+                json!({ "program": crate::report::program(), "scenario": entry.scenario, "refused": entry.refused() })
+            }
             Some(answer) => crate::report::json::answer(&entry.scenario, answer, &[]),
         };
         object["preset"] = json!(entry.name);

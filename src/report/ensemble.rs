@@ -195,6 +195,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
     let (timing, each) = (&ensemble.timing, core_seconds(ensemble));
     let results = ensemble.results().into_iter().map(|of| (of.key(), band(ensemble, of)));
     json!({
+        "program": crate::report::program(),
         "scenario": scenario,
         "samples": ensemble.samples.len(),
         "asked": ensemble.asked,
@@ -214,8 +215,8 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "above_promise_after_pilot": checks.missed,
             "worst_at_the_common_step_percent": checks.first,
             "worst_percent": (checks.count > 0).then_some(checks.last),
-            "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
             "worst_leading_percent": (checks.count > 0).then_some(checks.leading),
+            "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
         },
         "timing": {
             "wall_s": timing.wall,

@@ -75,7 +75,10 @@ impl SweepFormat {
                 format!("# contrecoup sweep {mark} of {rows} rows\n{}", csv(&columns))
             }
             Self::Json => {
-                format!("{}\n", json!({ "sweep": mark, "rows": sweep.rows(), "varied": paths }))
+                let (rows, program) = (sweep.rows(), crate::report::program());
+                let head =
+                    json!({ "sweep": mark, "rows": rows, "varied": paths, "program": program });
+                format!("{head}\n")
             }
         }
     }
@@ -90,22 +93,22 @@ impl SweepFormat {
                 let number = |v: Option<f64>| v.map_or_else(String::new, |v| v.to_string());
                 let mut cells = vec![row.number.to_string()];
                 cells.extend(row.values.iter().map(|value| cell(value)));
-                cells.extend(figures(point).map(|(_, value)| number(value)));
-                cells.extend([number(error), flags.join(";")]);
-                // A message of several lines would break the row.
-                cells.push(refused.map_or_else(String::new, |why| cell(&why.replace('\n', "; "))));
                 if turns(sweep) {
                     cells.extend(
                         direction(sweep, row.number).map(|(_, text)| text.unwrap_or_default()),
                     );
                 }
+                cells.extend(figures(point).map(|(_, value)| number(value)));
+                cells.extend([number(error), flags.join(";")]);
+                // A message of several lines would break the row.
+                cells.push(refused.map_or_else(String::new, |why| cell(&why.replace('\n', "; "))));
                 self.summed(sweep, csv(&cells).trim_end())
             }
             Self::Json => {
                 let varied = sweep.axes().iter().zip(&row.values);
                 let varied =
                     varied.map(|(axis, text)| (axis.path.as_str(), typed(&axis.path, text)));
-                let object = json!({
+                let mut object = json!({
                     "row": row.number,
                     "varied": varied.collect::<Value>(),
                     "results": point.map(|_| figures(point).collect::<Value>()),
@@ -113,13 +116,13 @@ impl SweepFormat {
                     "flags": flags,
                     "refused": refused,
                 });
+                if turns(sweep) {
+                    object["direction"] = direction(sweep, row.number).into_iter().collect();
+                }
                 self.summed(sweep, object.to_string().strip_suffix('}').unwrap_or_default())
             }
         }
     }
-                if turns(sweep) {
-                    object["direction"] = direction(sweep, row.number).into_iter().collect();
-                }
 
     /// The number of a line's row; none if its sum tells that it was changed since it was written.
     pub fn number(self, sweep: &Sweep, line: &str) -> Option<usize> {
