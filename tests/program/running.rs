@@ -363,5 +363,5 @@ fn in_a_log_work_of_minutes_says_how_long_it_goes_on() {
     child.kill().unwrap();
     child.wait().unwrap();
     let first = first.unwrap().unwrap().unwrap();
-    assert!(first.starts_with("rows: ") && first.contains("of 20000, about"), "{first}");
+    assert!(first.starts_with("rows, ") && first.contains("of 20000, about"), "{first}");
 }
