@@ -2,9 +2,11 @@
 //!
 //! With L the object's point of 50 % (log10, known to s) and eyes that differ by sigma, an eye
 //! whose tissue felt m is hurt with z = (log10 m - L)/sigma: told is Phi(z/sqrt(1 + s^2/sigma^2)),
-//! its 80 % range Phi((log10 m -+ 1.28 s - L)/sigma). To s come, in quadrature, the error of the
-//! step and what the person doubts of the object. Of a globe it is 1 - (1 - that) (1 - the chance
-//! of a way in). Where a blow may come from several directions all are means over them.
+//! its 80 % range Phi((log10 m -+ 1.28 s - L)/sigma); where that lies all to one side of what is
+//! told, the range of the same 80 % that begins, or ends, half as far out as what is told. To s
+//! come, in quadrature, the error of the step and what the person doubts of the object. Of a globe
+//! it is 1 - (1 - that) (1 - the chance of a way in). Where a blow may come from several directions
+//! all are means over them.
 //!
 //! Of those who come to a clinic after such a blow the share follows [`crate::injury::clinic`].
 //!
@@ -21,6 +23,11 @@ use libm::{hypot, log10};
 
 /// One in ten lies farther out than so many standard deviations, to each side.
 const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
+/// The share of what it may be that a range holds.
+const HELD: f64 = 0.8;
+/// Standard deviations out to which what is told is looked for, and how often that is halved.
+const FARTHEST: f64 = 8.0;
+const HALVINGS: u32 = 40;
 /// Laboratories and clinics differ where one tells more than so many times the other.
 const DIFFER: f64 = 3.0;
 /// Below this share a difference is of no account.
@@ -48,9 +55,9 @@ pub struct Felt {
 pub struct Share {
     /// The middle of what is believed.
     pub told: f64,
-    /// One in ten is less.
+    /// One in ten is less, or fewer where that would leave out what is told.
     pub low: f64,
-    /// One in ten is more.
+    /// One in ten is more, or fewer.
     pub high: f64,
 }
 
@@ -80,9 +87,10 @@ pub struct Risk {
 /// Which part of what is believed is asked for.
 #[derive(Clone, Copy)]
 enum Part {
+    /// The middle.
     Told,
-    Low,
-    High,
+    /// So many standard deviations to the side of more.
+    Off(f64),
 }
 
 impl Point {
@@ -96,11 +104,9 @@ impl Point {
     fn chance(&self, measure: f64, more: f64, part: Part) -> f64 {
         let s = hypot(self.known, more);
         let z = (log10(measure) - self.log) / self.eyes;
-        let off = ONE_IN_TEN * s / self.eyes;
         normal::below(match part {
             Part::Told => z / hypot(1.0, s / self.eyes),
-            Part::Low => z - off,
-            Part::High => z + off,
+            Part::Off(by) => z + by * s / self.eyes,
         })
     }
 }
@@ -116,8 +122,7 @@ fn chance(blow: &Blow, points: &PerInjury<Point>, injury: usize, felt: &Felt, pa
     let doubted = blow.doubted_way_in();
     let more = match part {
         Part::Told => way_in.z * (1.0 / hypot(1.0, doubted) - 1.0),
-        Part::Low => -ONE_IN_TEN * doubted,
-        Part::High => ONE_IN_TEN * doubted,
+        Part::Off(by) => by * doubted,
     };
     1.0 - (1.0 - torn) * (1.0 - way_in.chance(more))
 }
@@ -129,9 +134,24 @@ fn mean(felt: &[Felt], of: impl Fn(&Felt) -> f64) -> f64 {
 }
 
 impl Share {
+    /// Of what rises with its [`Part::Off`].
     fn of(each: impl Fn(Part) -> f64) -> Self {
-        let [told, low, high] = [Part::Told, Part::Low, Part::High].map(each);
-        Self { told, low: low.min(told), high: high.max(told) }
+        let told = each(Part::Told);
+        // The whole of a distribution would lie infinitely far out.
+        let at = |below: f64| each(Part::Off(normal::quantile(below.clamp(1e-15, 1.0 - 1e-15))));
+        let [low, high] = [-ONE_IN_TEN, ONE_IN_TEN].map(|off| each(Part::Off(off)));
+        if (low..=high).contains(&told) {
+            return Self { told, low, high };
+        }
+        // The middle of what is skewed lies in a tail: the share of that which is below it.
+        let (mut less, mut more) = (-FARTHEST, FARTHEST);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (less + more);
+            *if each(Part::Off(middle)) < told { &mut less } else { &mut more } = middle;
+        }
+        let below = normal::below(less);
+        let from = if told < low { 0.5 * below } else { 1.0 - HELD - 0.5 * (1.0 - below) };
+        Self { told, low: at(from).min(told), high: at(from + HELD).max(told) }
     }
 }
 
@@ -251,6 +271,28 @@ mod tests {
             let half = assess(&blow, *injury, &[felt(&blow, 1.0, 0.0)], false);
             assert!((half.hit.told - 0.5).abs() < 1e-12, "{half:?}");
         }
+    }
+
+    #[test]
+    fn what_is_told_lies_inside_its_range_and_not_at_its_end() {
+        let blow = Blow::of(&preset("squash-ball", &[]));
+        let wide = |times: f64| {
+            let felt = Felt { errors: [1.0; Injury::ALL.len()], ..felt(&blow, times, 0.0) };
+            assess(&blow, Injury::Hyphema, &[felt], false).hit
+        };
+        for times in [0.02, 0.2, 1.0, 5.0, 50.0] {
+            let Share { told, low, high } = wide(times);
+            assert!(low < told && told < high, "{times}: {low} {told} {high}");
+        }
+        // Of what is skewed one in ten may lie above what is told, but the range holds as much.
+        let share = Share::of(|part| match part {
+            Part::Told => normal::below(-2.0),
+            Part::Off(by) => normal::below(by),
+        });
+        let held = |end: f64| normal::quantile(end);
+        let (low, high) = (held(share.low), held(share.high));
+        assert!((normal::below(high) - normal::below(low) - HELD).abs() < 1e-6);
+        assert!(share.low < share.told && (share.low / share.told - 0.5).abs() < 1e-6);
     }
 
     #[test]
