@@ -457,7 +457,7 @@ pub(crate) mod tests {
         };
         let (slow, fast) = (bb("2"), bb("56"));
         assert_eq!(worst(&slow, 30.0), Some((Quantity::Contact, 1.0)));
-        assert_eq!(worst(&slow, 1e5), Some((Quantity::LensPull, 1e5)), "it may be anything");
+        assert_eq!(worst(&slow, 1e12), Some((Quantity::LensPull, 1e12)), "it may be anything");
         assert!(worst(&slow, f64::NAN).is_some_and(|(of, _)| of == Quantity::LensPull));
         assert_eq!(worst(&fast, 30.0), Some((Quantity::LensPull, 30.0)));
     }
