@@ -140,6 +140,11 @@ impl Sweep {
         &self.axes
     }
 
+    /// What every row changes.
+    pub fn base(&self) -> &Scenario {
+        &self.scenario
+    }
+
     /// How many rows there are.
     pub fn rows(&self) -> usize {
         self.axes.iter().map(|axis| axis.values.len()).product()

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use crate::answer::solve::{Answer, Cut};
 use crate::injury::{Injury, SIGNS, whole};
 use crate::many::comparison::Entry;
+use crate::many::falling::{Fall, falls, is_alike, strength};
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{Figure, cut_signs};
 use crate::report::format::{WIDTH, block, paragraph, percent};
@@ -65,7 +66,12 @@ impl Table {
         let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
-        let notes = cut.into_iter().map(str::to_owned).chain(worse(entries)).collect();
+        let notes = cut
+            .into_iter()
+            .map(str::to_owned)
+            .chain(worse(entries))
+            .chain(falling(entries))
+            .collect();
         let rows = entries.iter().map(row).collect();
         Self { heads, rows, notes, remarks: entries.iter().flat_map(remarks).collect() }
     }
@@ -145,6 +151,33 @@ fn worse(entries: &[Entry]) -> Vec<String> {
         Some(format!("{first} worse than {other} for eyes hit so, in so many of 100: {said}"))
     };
     rest.iter().filter_map(against).collect()
+}
+
+/// Which blows do less than a weaker one that is the same otherwise, a line each.
+fn falling(entries: &[Entry]) -> Vec<String> {
+    let all: Vec<(&Entry, &Answer, f64)> = entries
+        .iter()
+        .filter_map(|entry| Some((entry, entry.answer()?, strength(&entry.scenario)?)))
+        .collect();
+    let of = |(entry, answer, most): &(&Entry, &Answer, f64)| {
+        let is_weaker = |(other, _, less): &&(&Entry, &Answer, f64)| {
+            less < most && is_alike(&other.scenario, &entry.scenario)
+        };
+        let (other, weaker, _) = all.iter().filter(is_weaker).max_by(|a, b| a.2.total_cmp(&b.2))?;
+        let error = |of| Some(weaker.errors.time_step[of]? + answer.errors.time_step[of]?);
+        let falls = falls((&weaker.results(), &answer.results()), error);
+        let one = |fall: &Fall| {
+            let [from, to] = [fall.risks.0, fall.risks.1].map(|risk| whole(0.01 * risk));
+            format!("{} {to} after {from}", fall.injury.name())
+        };
+        let said: Vec<String> = falls.iter().map(one).collect();
+        let [harder, weaker] = [&entry.name, &other.name].map(|name| printable(name));
+        let said = said.join(", ");
+        (!falls.is_empty()).then(|| {
+            format!("{harder} is harder than {weaker} and does less to eyes hit so: {said}")
+        })
+    };
+    all.iter().filter_map(of).collect()
 }
 
 /// Prints every result as CSV with its errors in %, then which were cut off, flags and refusal.

@@ -1,7 +1,8 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
 use crate::answer::brief::BriefAnswer;
-use crate::injury::Injury;
+use crate::injury::{Injury, whole};
+use crate::many::falling::FallingRows;
 use crate::many::sweep::{Sweep, SweepRow, fnv1a};
 use crate::plain_text::cell;
 use crate::run::{flags::FlagKind, quantity::Quantity};
@@ -147,6 +148,17 @@ impl SweepFormat {
             Self::Json => format!(",\"sum\":\"{sum:016x}\"}}\n"),
         }
     }
+}
+
+/// In how many rows a harder blow does less, in a line; none where in none.
+pub fn falling(rows: &FallingRows) -> Option<String> {
+    let (harder, weaker, fall) = rows.first?;
+    let (count, name) = (rows.count, fall.injury.name());
+    let [from, to] = [fall.risks.0, fall.risks.1].map(|risk| whole(0.01 * risk));
+    Some(format!(
+        "in {count} of the rows a blow does less than a weaker one beside it, by more than the step \
+         errors; first in row {harder}: {name} {to}, {from} in row {weaker}"
+    ))
 }
 
 /// A varied value as JSON: a number where the field holds one.
