@@ -132,7 +132,7 @@ impl Answer {
     /// The risk of each injury: a globe first, as it must not be missed, then by what is told; none
     /// where [`Self::silence`] says why.
     pub fn risks(&self) -> Vec<Risk> {
-        let mut risks: Vec<Risk> = Injury::ALL.iter().filter_map(|i| self.risk(*i)).collect();
+        let mut risks = self.assessed().map_or_else(Vec::new, Vec::from);
         if let [_, rest @ ..] = &mut risks[..] {
             rest.sort_by(|a, b| b.share().told.total_cmp(&a.share().told));
         }
@@ -141,6 +141,10 @@ impl Answer {
 
     /// The risk of one injury.
     pub fn risk(&self, injury: Injury) -> Option<Risk> {
+        Some(self.assessed()?[injury as usize])
+    }
+
+    fn assessed(&self) -> Option<PerInjury<Risk>> {
         let felt = self.felt();
         if felt.is_empty() || self.silence().is_some() {
             return None;
@@ -150,10 +154,9 @@ impl Answer {
         // do more than is read; where likes of it were counted, so it was there.
         let breaks = self.has(FlagKind::BoneMayBreak) && blow.near.is_none();
         let flatter = self.has(FlagKind::BeyondTests) && (blow.unusual || blow.near.is_none());
-        let cut = self.at_least(injury.measure()) || breaks || flatter;
-        let mut risk = assess(blow, injury, &felt, cut);
-        risk.usable = self.no_risks().is_none();
-        Some(risk)
+        let cut = |j: usize| self.at_least(Injury::ALL[j].measure()) || breaks || flatter;
+        let usable = self.no_risks().is_none();
+        Some(assess(blow, &felt, &std::array::from_fn(cut)).map(|risk| Risk { usable, ..risk }))
     }
 
     /// Why no risk can be told of what was computed, and what to do about it, if that is so.
