@@ -26,7 +26,6 @@ const DRAWS: u32 = 300;
 /// What is chosen and not fitted: what tells kinds that were left out best of what was tried.
 pub const CHOICES: Choices = Choices {
     concentration: 20.0,
-    derived: 1.0,
     common_shift: 0.1,
     laboratory: 0.25,
     prior: 0.2,
@@ -307,8 +306,7 @@ mod tests {
 
     #[test]
     fn slopes_and_curvatures_are_those_of_the_density() {
-        let choices = Choices { derived: 0.5, ..CHOICES };
-        let posterior = Posterior::new(&stored(), fitted_rows(), choices);
+        let posterior = Posterior::new(&stored(), fitted_rows(), CHOICES);
         // Nowhere special.
         let at = Posterior::start(0.1).map_with_location(|i, _, x| x + 0.05 * libm::sin(i as f64));
         let (_, slope) = posterior.value(&at);
