@@ -159,7 +159,8 @@ fn draw_ladder(rungs: &[Rung], measure: Row, sheet: &mut Sheet) {
 /// excluded, and what that rests on beside what stands in its `each` rows.
 fn explained(shown: &ShownAnswer, risk: &Risk, each: u16) -> Vec<String> {
     let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
-    if !risk.usable || risk.is_open() || risk.gravity() > 0 {
+    let not_excluded = !risk.usable || risk.is_open() || risk.gravity() > 0;
+    if risk.clinic.is_some() && not_excluded {
         said.extend(risk.injury.look_for().map(str::to_owned));
         let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
         said.extend(hours.map(|hours| format!("Most at {hours}.")));
