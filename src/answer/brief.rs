@@ -102,7 +102,7 @@ pub fn single(
     let others = other_directions(scenario, watch)?;
     if let (Some(own), Some(blow)) = (case.felt(&run), &case.blow) {
         let several = !others.is_empty();
-        let errors = own.errors.map(|_| 0.01 * case.rules().promise_percent);
+        let step = 0.01 * case.rules().promise_percent;
         let all: Vec<Felt> = std::iter::once(own).chain(others).collect();
         if several {
             for injury in Injury::ALL {
@@ -110,7 +110,9 @@ pub fn single(
                 answer.values[injury.result()] = Some(1e2 * sum / all.len() as f64);
             }
         }
-        let all: Vec<Felt> = all.into_iter().map(|felt| Felt { errors, ..felt }).collect();
+        let with_step =
+            |felt: Felt| Felt { errors: felt.errors.map(|e| libm::hypot(e, step)), ..felt };
+        let all: Vec<Felt> = all.into_iter().map(with_step).collect();
         answer.ranges = Some(std::array::from_fn(|j| hit(blow, Injury::ALL[j], &all).ends()));
     }
     Ok(answer)

@@ -7,7 +7,7 @@ use crate::answer::compiled::Compiled;
 use crate::answer::directions::other_directions;
 use crate::answer::results::{Limits, Results};
 use crate::answer::validity::{Spoiled, spoiled};
-use crate::injury::{DamageIndex, Felt, Injury, PerInjury, Risk, assess, worse};
+use crate::injury::{DamageIndex, Felt, Injury, PerInjury, Risk, assess, hit, worse};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
 use crate::run::raised::{TwoRuns, of_motion};
@@ -94,7 +94,7 @@ impl Answer {
     /// One result in its unit, if the scene has it; a risk over all directions.
     pub fn result(&self, of: Quantity) -> Option<f64> {
         match Injury::of(of).filter(|_| !self.others.is_empty()) {
-            Some(injury) => Some(1e2 * self.risk(injury)?.hit.told),
+            Some(injury) => Some(1e2 * hit(self.case.blow.as_ref()?, injury, &self.felt()).told),
             None => self.case.result(of, &self.run),
         }
     }
@@ -185,20 +185,18 @@ impl Answer {
 
     /// What the tissues felt, from each direction that the blow may have come from.
     pub fn felt(&self) -> Vec<Felt> {
-        let Some(mut own) = self.case.felt(&self.run) else { return Vec::new() };
-        let errors = std::array::from_fn(|j| self.felt_error(Injury::ALL[j]));
-        own.errors = errors;
-        let others = self.others.iter().map(|felt| Felt { errors, ..*felt });
-        std::iter::once(own).chain(others).collect()
-    }
-
-    /// The share by which what a tissue felt may be wrong: by the step, and by a mesh other than
-    /// the one that the points of 50 % were fitted on.
-    fn felt_error(&self, injury: Injury) -> f64 {
-        let other_mesh = self.case.level() > 1 || self.pressed_flat();
-        let mesh = if other_mesh { injury.curve().mesh_unknown } else { 0.0 };
-        let step = self.errors.time_step[injury.measure()].unwrap_or(0.0);
-        libm::hypot(0.01 * step, mesh)
+        let Some(own) = self.case.felt(&self.run) else { return Vec::new() };
+        let steps: PerInjury<f64> = std::array::from_fn(|j| {
+            let injury = Injury::ALL[j];
+            // An eye that is pressed flat has no step error, but one mesh differs from another.
+            let flat = if self.pressed_flat() { injury.curve().mesh_unknown } else { 0.0 };
+            self.errors.time_step[injury.measure()].map_or(flat, |step| 0.01 * step)
+        });
+        let with_steps = |felt: Felt| {
+            let errors = std::array::from_fn(|j| libm::hypot(felt.errors[j], steps[j]));
+            Felt { errors, ..felt }
+        };
+        std::iter::once(own).chain(self.others.iter().copied()).map(with_steps).collect()
     }
 
     /// Why there are no risks, in one line; none where there are.

@@ -148,6 +148,19 @@ fn falls(name: &str, shares: &[f64]) -> Vec<String> {
 }
 
 #[test]
+fn straight_on_tissues_feel_what_they_do_at_5_degrees() {
+    for name in ["airsoft-75", "gel-ball", "champagne-cork"] {
+        let [straight, aslant] =
+            ["0", "5"].map(|at| run(&preset(name, &[("impact.angle_deg", at)])));
+        for injury in Injury::ALL {
+            let [a, b] = [&straight, &aslant].map(|run| run.values[injury.measure()].unwrap());
+            let known = (1.0 + injury.curve().section_unknown).ln();
+            assert!((b / a).ln().abs() < 3.0 * known, "{name} {injury:?} {a} {b}");
+        }
+    }
+}
+
+#[test]
 fn a_direction_that_is_not_known_is_the_mean_over_those_that_hits_come_from() {
     let unknown = preset("foam-dart", &[("impact.from", "NotKnown")]);
     let answer = solve(&unknown.check().unwrap(), Keep::default(), &mut unwatched).unwrap();
