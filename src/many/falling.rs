@@ -72,7 +72,7 @@ impl<'a> FallingRows<'a> {
         while self.rows.front().is_some_and(|earlier| !is_near(earlier)) {
             self.rows.pop_front();
         }
-        let begins = row.number / apart % self.sweep.axes()[axis].values.len() == 0;
+        let begins = (row.number / apart).is_multiple_of(self.sweep.axes()[axis].values.len());
         let before = self.rows.front().filter(|earlier| earlier.number + apart == row.number);
         if let Some(before) = before.filter(|_| !begins) {
             let strength = |row: &SweepRow| row.values[axis].parse::<f64>().ok();

@@ -244,7 +244,8 @@ pub fn pictures(entries: &[Entry]) -> String {
                 svg x=(x) width=(side) height=(high) viewBox=(picture.view_box()) { (picture.content()) }
                 @let name = printable(&entry.scenario.name);
                 // A name that is wider than its picture is set closer.
-                @let room = (LETTER * name.chars().count() as i64 > side - 16).then_some(side - 16);
+                @let letters: i64 = name.chars().map(|_| LETTER).sum();
+                @let room = (letters > side - 16).then_some(side - 16);
                 text x=(x + 8) y=(high + 34) textLength=[room]
                     lengthAdjust=[room.map(|_| "spacingAndGlyphs")] { (name) }
                 @if let Some((name, words)) = lines(answer).first() {
