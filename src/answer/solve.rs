@@ -453,14 +453,18 @@ pub(crate) mod tests {
         let worst = |answer: &Answer, error| {
             let mut errors = Results::default();
             errors[Quantity::Contact] = Some(1.0);
-            errors[Quantity::LensPull] = Some(error);
+            errors[Quantity::EquatorStretch] = Some(error);
             worst_of_account(&answer.case, &answer.run, &errors)
         };
         let (slow, fast) = (bb("2"), bb("56"));
         assert_eq!(worst(&slow, 30.0), Some((Quantity::Contact, 1.0)));
-        assert_eq!(worst(&slow, 1e12), Some((Quantity::LensPull, 1e12)), "it may be anything");
-        assert!(worst(&slow, f64::NAN).is_some_and(|(of, _)| of == Quantity::LensPull));
-        assert_eq!(worst(&fast, 30.0), Some((Quantity::LensPull, 30.0)));
+        assert_eq!(
+            worst(&slow, 1e12),
+            Some((Quantity::EquatorStretch, 1e12)),
+            "it may be anything"
+        );
+        assert!(worst(&slow, f64::NAN).is_some_and(|(of, _)| of == Quantity::EquatorStretch));
+        assert_eq!(worst(&fast, 30.0), Some((Quantity::EquatorStretch, 30.0)));
     }
 
     #[test]
