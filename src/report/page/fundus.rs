@@ -46,6 +46,22 @@ fn text(radius: f64, turn: f64, ink: &str, words: &str) -> Markup {
     html! { text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill=(ink) { (words) } }
 }
 
+/// What the colours mean, and how sure an hour is, in the corners.
+fn legend() -> Markup {
+    let rows = (0..).zip(LADDER).map(|(i, (ground, _, _, words))| (14 * i - 166, ground, words));
+    html! {
+        g font-size="10" text-anchor="start" fill="#555" {
+            @for (top, ground, words) in rows {
+                rect x="-168" y=(top) width="10" height="10" fill=(ground) {}
+                text x="-154" y=(top + 9) { (words) }
+            }
+        }
+        text y="169" font-size="8.5" fill="#555" {
+            "hour not sure: after squash balls 81 % of 26 detachments lay at the temple"
+        }
+    }
+}
+
 pub fn figure(sectors: &Sectors, points: &PerInjury<Point>, side: Side) -> Markup {
     let ring = |(injury, values): (Injury, &[f64]), ring: (f64, f64), shift: f64| {
         let point = &points[injury as usize];
@@ -78,13 +94,7 @@ pub fn figure(sectors: &Sectors, points: &PerInjury<Point>, side: Side) -> Marku
                 @for part in ring((Injury::RetinaFront, &sectors.edge), OUTER, 0.0) { (part) }
                 @for part in ring((Injury::RetinaBack, &sectors.back), INNER, 0.5) { (part) }
                 @for hour in hours { (hour) }
-            }
-            p.names {
-                "hurt there: "
-                @for (ground, _, _, words) in LADDER {
-                    span style=(format!("border-left:1em solid {ground};padding-left:.3em")) { (words) }
-                }
-                "The hour is not sure: after squash balls 81 % of 26 detachments lay at the temple."
+                (legend())
             }
         }
     }

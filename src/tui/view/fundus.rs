@@ -20,11 +20,10 @@ const HEAD: u16 = 1;
 const FOOT: u16 = 2;
 
 /// What each mark of shade says without colours, from least to most.
-const SHADES: [&str; 4] = ["·", "░", "▒", "▓"];
+const SHADES: [&str; 3] = ["·", "▒", "▓"];
 /// Shares of eyes in each step of the ladder of risk, in the words of the answer; no hour is below
 /// the first, as none has a range of its own.
-const LADDER: [(f64, &str); 4] =
-    [(0.0, "not excluded"), (0.1, "possible"), (0.5, "likely"), (0.9, "almost certain")];
+pub const LADDER: [(f64, &str); 3] = [(0.0, "not excluded"), (0.1, "possible"), (0.5, "likely")];
 
 /// Where a ring begins and ends, the point at which half of eyes are hurt there, its strains, and
 /// by how many sectors they are turned.
@@ -66,7 +65,7 @@ const ALIKE: f64 = 0.02;
 const SURE: [&str; 3] = [
     "The hour is not sure: of 26 detachments after squash balls 81 % lay at the temple \
         (Am J Ophthalmol 1996; 122:260), whatever is computed here.",
-    "The hour is not sure: after squash balls 81 % of 26 detachments lay at the temple.",
+    "Hour not sure: of 26 detachments after squash balls 81 % lay at the temple.",
     "Hour not sure: 81 % of 26 seen lay at the temple",
 ];
 
