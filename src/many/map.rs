@@ -209,10 +209,9 @@ pub fn fill(
     let job = |index: usize| {
         let (i, j) = lacking[index];
         let mut scenario = scenario.clone();
-        for (span, at) in [(spans.0, i), (spans.1, j)] {
-            let value = spaced(span.from, span.to, side)[at];
-            set::put_number(&mut scenario, span.field, value);
-        }
+        let put = [(spans.0, i), (spans.1, j)];
+        let put = put.map(|(span, at)| (span.field, spaced(span.from, span.to, side)[at]));
+        set::put_numbers(&mut scenario, put);
         let checked = scenario.check().map_err(Refusal::from);
         let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
         Some(match unstopped(run)? {

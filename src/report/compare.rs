@@ -11,8 +11,9 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use crate::answer::solve::{Answer, Cut};
-use crate::injury::{Injury, SIGNS};
+use crate::injury::{Injury, SIGNS, whole};
 use crate::many::comparison::Entry;
+use crate::many::falling::{Fall, falls, is_alike, strength};
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{Figure, cut_signs};
 use crate::report::format::{WIDTH, block, paragraph, percent};
@@ -67,7 +68,12 @@ impl Table {
         let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
-        let notes = cut.into_iter().map(str::to_owned).chain(which_is_worse(entries)).collect();
+        let notes = cut
+            .into_iter()
+            .map(str::to_owned)
+            .chain(which_is_worse(entries))
+            .chain(falling(entries))
+            .collect();
         let rows = entries.iter().map(row).collect();
         Self { heads, rows, notes, remarks: entries.iter().flat_map(remarks).collect() }
     }
@@ -180,6 +186,33 @@ pub fn brief(source: &str) -> &str {
     source.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("")
 }
 
+/// Which blows do less than a weaker one that is the same otherwise, a line each.
+fn falling(entries: &[Entry]) -> Vec<String> {
+    let all: Vec<(&Entry, &Answer, f64)> = entries
+        .iter()
+        .filter_map(|entry| Some((entry, entry.answer()?, strength(&entry.scenario)?)))
+        .collect();
+    let of = |(entry, answer, most): &(&Entry, &Answer, f64)| {
+        let is_weaker = |(other, _, less): &&(&Entry, &Answer, f64)| {
+            less < most && is_alike(&other.scenario, &entry.scenario)
+        };
+        let (other, weaker, _) = all.iter().filter(is_weaker).max_by(|a, b| a.2.total_cmp(&b.2))?;
+        let error = |of| Some(weaker.errors.time_step[of]? + answer.errors.time_step[of]?);
+        let falls = falls((&weaker.results(), &answer.results()), error);
+        let one = |fall: &Fall| {
+            let [from, to] = [fall.risks.0, fall.risks.1].map(|risk| whole(0.01 * risk));
+            format!("{} {to} after {from}", fall.injury.name())
+        };
+        let said: Vec<String> = falls.iter().map(one).collect();
+        let [harder, weaker] = [&entry.name, &other.name].map(|name| printable(name));
+        let said = said.join(", ");
+        (!falls.is_empty()).then(|| {
+            format!("{harder} is harder than {weaker} and does less to eyes hit so: {said}")
+        })
+    };
+    all.iter().filter_map(of).collect()
+}
+
 /// Prints every result as CSV with its errors in %, then which were cut off, flags and refusal.
 pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
@@ -215,7 +248,9 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
 pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
         let mut object = match entry.answer() {
-            None => json!({ "scenario": entry.scenario, "refused": entry.refused() }),
+            None => {
+                json!({ "program": crate::report::program(), "scenario": entry.scenario, "refused": entry.refused() })
+            }
             Some(answer) => crate::report::json::answer(&entry.scenario, answer, &[]),
         };
         object["preset"] = json!(entry.name);

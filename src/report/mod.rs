@@ -32,6 +32,11 @@ pub fn commit() -> Option<&'static str> {
     said(option_env!("CONTRECOUP_COMMIT"))
 }
 
+/// The program that answered, which every JSON object names.
+pub(crate) fn program() -> serde_json::Value {
+    serde_json::json!({ "version": env!("CARGO_PKG_VERSION"), "commit": commit() })
+}
+
 fn said(commit: Option<&str>) -> Option<&str> {
     commit.filter(|commit| !commit.is_empty())
 }

@@ -22,11 +22,9 @@ const GROUPS: [(&str, &[Group]); 5] = [
 
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let eye = &answer.case.eye;
-    let (level, nodes, elements) = (eye.level(), eye.regions().len(), eye.elements());
+    let (level, nodes, elements) = (eye.level(), eye.nodes(), eye.elements());
     let (what, kind) = (scenario.description(), eye.rules().element.plural());
-    let spatial = scenario.is_spatial();
-    let (cut, all) = if spatial { (" in the section", " in all") } else { ("", "") };
-    let mesh = format!("mesh level {level}: {nodes} nodes{cut}, {elements} {kind}{all}");
+    let mesh = format!("mesh level {level}: {nodes} nodes, {elements} {kind}");
     risks::text(scenario, answer, out)?;
     writeln!(out)?;
     paragraph(&format!("{what}; {mesh}"), out)?;

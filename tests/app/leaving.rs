@@ -28,7 +28,9 @@ fn q_and_control_c_leave_a_clean_terminal() {
 
 #[test]
 fn a_termination_signal_leaves_a_clean_terminal() {
-    for (name, code) in [("TERM", 143), ("INT", 130), ("HUP", 129), ("USR1", 138), ("ALRM", 142)] {
+    let asked = [("TERM", 143), ("INT", 130), ("HUP", 129), ("USR1", 138), ("USR2", 140)];
+    let clocks = [("ALRM", 142), ("XCPU", 152), ("PROF", 155)];
+    for (name, code) in asked.into_iter().chain(clocks) {
         let mut term = started();
         term.signal(name);
         assert_eq!(term.exit_code(), code);

@@ -14,7 +14,7 @@ use crate::models::spatial::time::run::{SpatialBlow, run, run_as};
 use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::plan::Plan;
 use crate::run::{model::EyeModel, quantity::Quantity, watch::unwatched};
-use crate::scenario::{Integrator, Rim};
+use crate::scenario::{Integrator, Rim, library::tests::preset, set::set};
 use nalgebra::Vector2;
 
 const BB: Object = Object {
@@ -260,4 +260,21 @@ fn frames_tell_how_far_nodes_leave_the_plane_that_is_shown() {
     for (a, b) in nose.iter().zip(&temple) {
         assert!((a + b).abs() < 0.02 * farthest.abs(), "{a} {b}");
     }
+}
+
+#[test]
+fn straight_on_the_hour_means_nothing() {
+    let scene = |changes: &[(&str, &str)]| {
+        let bb = preset("bb-62", &[("numerics.geometry", "Full")]);
+        let bb = changes.iter().fold(bb, |mut bb, (path, text)| {
+            set(&mut bb, path, text).unwrap();
+            bb
+        });
+        let bb = bb.check().unwrap();
+        Scene::new(&bb, bb.physiological().unwrap(), bb.projectile().unwrap())
+    };
+    let (angle, offset) = (("angle_clock", "3"), ("offset_clock", "7:30"));
+    assert_eq!(scene(&[angle, offset]), scene(&[]));
+    assert_ne!(scene(&[("angle_deg", "5"), angle]), scene(&[("angle_deg", "5")]));
+    assert_ne!(scene(&[("offset_mm", "2"), offset]), scene(&[("offset_mm", "2")]));
 }

@@ -223,6 +223,9 @@ fn closed(ring: &[Point2<f64>]) -> String {
     ring.iter().zip(signs).map(corner).collect::<String>() + "Z"
 }
 
+/// The width of a wide letter of a text beside a picture.
+const LETTER: i64 = 18;
+
 /// A file of the pictures alone, side by side, each with its name and first verdict.
 pub fn pictures(entries: &[Entry]) -> String {
     let answered = entries.iter().filter_map(|entry| {
@@ -239,7 +242,12 @@ pub fn pictures(entries: &[Entry]) -> String {
             rect width="100%" height="100%" fill="white" {}
             @for (x, (entry, answer, picture)) in (0..).map(|i: i64| i * side).zip(&all) {
                 svg x=(x) width=(side) height=(high) viewBox=(picture.view_box()) { (picture.content()) }
-                text x=(x + 8) y=(high + 34) { (printable(&entry.scenario.name)) }
+                @let name = printable(&entry.scenario.name);
+                // A name that is wider than its picture is set closer.
+                @let letters: i64 = name.chars().map(|_| LETTER).sum();
+                @let room = (letters > side - 16).then_some(side - 16);
+                text x=(x + 8) y=(high + 34) textLength=[room]
+                    lengthAdjust=[room.map(|_| "spacingAndGlyphs")] { (name) }
                 @if let Some((name, words)) = lines(answer).first() {
                     // The word and the range; what stands behind them is too long for a picture.
                     @let words = words.split([',', ';', ':']).next().unwrap_or_default();

@@ -7,7 +7,7 @@ use crate::injury::{Injury, Risk};
 use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::{capital, digits};
 use crate::report::ladder::{Rung, between, ladder};
-use crate::report::look_for::hours;
+use crate::report::look_for::{hours, look_for};
 use crate::report::risks::{basis, silence};
 use crate::report::sentence::sentence;
 use crate::run::quantity::{Quantity, Row};
@@ -180,7 +180,7 @@ fn explained(shown: &ShownAnswer, risk: &Risk, each: u16) -> Vec<String> {
     let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
     let not_excluded = !risk.usable || risk.is_open() || risk.gravity() > 0;
     if risk.clinic.is_some() && not_excluded {
-        said.extend(risk.injury.look_for().map(str::to_owned));
+        said.extend(look_for(risk.injury).map(str::to_owned));
         let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
         said.extend(hours.map(|hours| format!("Most at {hours}.")));
     }
