@@ -103,12 +103,11 @@ fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
         Some(Sectors { edge, back, ..Sectors::default() })
     };
     let sectors = answer.run.sectors.or_else(round);
-    match (sectors, &answer.case.blow) {
-        (Some(sectors), Some(blow)) => fundus::draw(&sectors, &blow.points, side, sheet),
-        _ => {
-            let why = silence(answer).unwrap_or_else(|| NO_HOURS.to_owned());
-            sheet.put_wrapped((1, 1), &why, sheet.theme.text());
-        }
+    if let (Some(sectors), Some(blow)) = (sectors, &answer.case.blow) {
+        fundus::draw(&sectors, &blow.points, side, sheet);
+    } else {
+        let why = silence(answer).unwrap_or_else(|| NO_HOURS.to_owned());
+        sheet.put_wrapped((1, 1), &why, sheet.theme.text());
     }
 }
 
