@@ -2,8 +2,8 @@
 //!
 //! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on,
 //! so that what is known spreads over the whole range at once. Each point holds every result of
-//! its run, and the range of each risk; a place is read off the nearest four points of the finest grid that is known round it,
-//! linearly in both directions.
+//! its run, and the range of each risk; a place is read off the nearest four points of the finest
+//! grid that is known round it, linearly in both directions.
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
