@@ -21,6 +21,7 @@ pub mod pace;
 pub mod page;
 pub mod picture;
 pub mod risks;
+pub mod sentence;
 pub mod sweep;
 pub mod text;
 pub mod threshold;

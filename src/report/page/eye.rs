@@ -33,11 +33,11 @@ const FIELD: [&str; STEPS] = [
 ];
 /// How the parts look, in a page and in a picture of its own.
 pub const STYLE: &str = ".eye path{stroke:none}.eye .sky{fill:#fff}\
-    .eye .object{fill:#ff875f}.eye .skin{fill:#d75f5f}.eye .fat{fill:#f6ecd2}\
-    .eye .bone{fill:#a5804a}.eye .nerve{fill:#d7d787}.eye .globe{fill:#5f005f}\
+    .eye .object{fill:#bdbdbd}.eye .skin{fill:#8a8a8a}.eye .fat{fill:#f6ecd2}\
+    .eye .bone{fill:#b3a184}.eye .nerve{fill:#d7d787}.eye .globe{fill:#5f005f}\
     .eye .ciliary{fill:#875f5f}.eye .lens{fill:#afd7d7}.eye .iris{fill:#5fafff}\
-    .eye .retina{fill:#ff005f}.eye .sclera{fill:#d8d8d8}.eye .cornea{fill:#55d7e6}\
-    .eye .pressed{fill:#ffd700}.eye .limbus{fill:#875f5f}\
+    .eye .retina{fill:#c9706f}.eye .sclera{fill:#d8d8d8}.eye .cornea{fill:#55d7e6}\
+    .eye .pressed{fill:#d84fb0}.eye .limbus{fill:#875f5f}\
     .eye .ghost{fill:none;stroke:#777;stroke-width:3;stroke-dasharray:6 8}\
     .eye .bar{stroke:#333;stroke-width:8}.eye .field path{stroke-width:2}\
     .eye text{font:30px sans-serif;fill:#555;\
