@@ -240,6 +240,26 @@ impl Object {
         }
     }
 
+    /// How fast the way in which a depth of `gap` decreases turns from place to place, over the
+    /// square of its length, 1/m; that of a rigid ball is next to nothing beside its stiffness.
+    pub(crate) fn bend(&self, gap: f64) -> f64 {
+        match self.outline {
+            ObjectOutline::Sphere(radius) if self.surface.depth.is_some() => {
+                2.0 / (2.0 * radius - gap)
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// Whether what lies so far along its way from its middle, m, is behind all of it: only a ball
+    /// that gives way, whose depth is taken from its back, can go past something.
+    pub(crate) fn has_passed(&self, along: f64) -> bool {
+        match self.outline {
+            ObjectOutline::Sphere(radius) => self.surface.depth.is_some() && along <= -radius,
+            ObjectOutline::Cylinder(..) => false,
+        }
+    }
+
     /// How near a surface must be to shorten the step, in m.
     pub(crate) fn near(&self) -> f64 {
         NEAR + SOON * self.speed
@@ -248,8 +268,8 @@ impl Object {
     /// Depth of the point (`x`, `r`) below the surface of an object whose centre or face is at 0,
     /// and the way that the depth decreases there.
     ///
-    /// Below the surface of a ball that gives way lie balls that touch it at its back: what is left
-    /// of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core,
+    /// Below the surface of a ball that gives way lie balls that touch it at its back, and planes
+    /// across its way where those are deeper: what is left of it gets smaller but stays blunt. (Depth along the radius would leave a small hard core,
     /// which goes through the eye.) On the axis both are the same, and on the surface the normals
     /// are.
     #[inline]
@@ -261,7 +281,12 @@ impl Object {
                     return (-radius, 1.0, 0.0);
                 }
                 let slope = r / behind;
-                (2.0 * radius - behind - r * slope, 1.0 - slope * slope, 2.0 * slope)
+                let gap = 2.0 * radius - behind - r * slope;
+                // What closes around it comes in at its back from nothing on.
+                if gap > behind {
+                    return (behind, -1.0, 0.0);
+                }
+                (gap, 1.0 - slope * slope, 2.0 * slope)
             }
             ObjectOutline::Sphere(radius) => {
                 let distance = (x * x + r * r).sqrt();
