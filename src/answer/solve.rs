@@ -210,14 +210,17 @@ impl Answer {
 
     /// How a run that ended too early limits a result; none if it is final.
     pub fn cut(&self, of: Quantity) -> Option<Cut> {
-        use FlagKind::{ContactCut, EyeFlat, PulseCut, WindowCapped, WindowShort};
+        use FlagKind::{ContactCut, EyeFlat, PulseCut, Stays, WindowCapped, WindowShort};
         let has = |kinds: &[FlagKind]| self.flags.iter().any(|flag| kinds.contains(&flag.kind));
         // A risk rests on what its tissue felt.
         let of = Injury::of(of).map_or(of, Injury::measure);
+        // What goes back gives energy back, of which the index holds a share.
+        let falls = matches!(of, Quantity::Energy | Quantity::Damage);
         if has(&[PulseCut, ContactCut, WindowCapped, EyeFlat]) {
-            // What goes back gives energy back, of which the index holds a share.
-            let falls = matches!(of, Quantity::Energy | Quantity::Damage);
             return Some(if falls { Cut::NotFinal } else { Cut::AtLeast });
+        }
+        if has(&[Stays]) && (falls || of == Quantity::Rebound) {
+            return Some(Cut::NotFinal);
         }
         let from = LATE_PEAK_SHARE * self.run.simulated;
         let late = |of| self.peak(of).is_some_and(|peak| peak.value > 0.0 && peak.time > from);

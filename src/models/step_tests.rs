@@ -101,12 +101,15 @@ fn an_eye_in_three_dimensions_takes_steps_that_its_largest_eigenvalue_allows() {
     let rim = OrbitRim::from(&Rim::CAUCASIAN);
     let eye = SpatialEye::new(&Parameters::default(), Some(rim), Extent::Full, 1);
     let aim = Aim { angle: 0.5, from: -1.5, offset: 0.0, towards: 0.0 };
-    for object in [ball(2.25e-3, 0.345e-3, 62.5), ball(20e-3, 24e-3, 60.0)] {
+    let golf = ball(21e-3, 46e-3, 40.0);
+    let splash = ObjectSurface::splashing(1.8e6, 8.6e-3).losing(0.0);
+    let splash = Object { surface: splash, ..ball(8.6e-3, 3e-3, 60.0) };
+    for object in [ball(2.25e-3, 0.345e-3, 62.5), golf, splash] {
         let blow = SpatialBlow { object, aim, up: 0.0 };
         let keep = Keep::default();
         let mut motion = SpatialMotion::new(&eye, CellLoop::Rows, &blow, keep, Until::Time(1.0));
         let mut time = 0.0;
-        for end in [0.0, 0.4e-3, 1.5e-3, 5e-3] {
+        for end in [0.0, 0.25e-3, 0.5e-3, 0.8e-3, 1.5e-3, 4e-3] {
             follow(&mut motion, &mut time, end);
             let step = STEP_SHARE * bound(&mut motion, time);
             let n = motion.state.at[0].len();
@@ -120,6 +123,8 @@ fn an_eye_in_three_dimensions_takes_steps_that_its_largest_eigenvalue_allows() {
                 }
                 motion.cells.forces(&mut state);
                 motion.shell.forces(&mut state);
+                let mut flying = motion.flying.moving;
+                motion.target.forces(&object, &mut flying, &mut state);
                 state.force.concat()
             };
             let longest = longest(&free, step, forces);

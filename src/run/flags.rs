@@ -69,6 +69,8 @@ pub enum FlagKind {
     SurfaceCrushed,
     /// The object went past the globe.
     WentPast,
+    /// The object lay at the eye when nothing could grow any more.
+    Stays,
     /// The eye was shortened by more than in any test.
     BeyondTests,
     /// The eye was pressed flat, which ends a run.
@@ -130,6 +132,10 @@ impl FlagKind {
             Self::BoneShields => ("bone shields a part", "aim nearer to the front"),
             Self::SurfaceCrushed => ("object crushed flat", AT_LEAST),
             Self::WentPast => ("object went past the eye", "aim nearer to the middle"),
+            Self::Stays => (
+                "object lay at the eye at the end",
+                "only how it leaves, and what it takes back, is not known",
+            ),
             Self::BeyondTests => {
                 ("flatter than any tested eye", "take the figures as rough, or try a smaller blow")
             }

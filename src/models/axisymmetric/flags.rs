@@ -10,6 +10,9 @@ use crate::scenario::{TRUSTED_ANGLE_DEG, problem::plain};
 /// The share by which the hardest shot of experiments, a steel ball at 66.5 m/s, shortens this eye.
 const MOST_TESTED: f64 = 0.5;
 
+/// What is slower than this, m/s, lies where it is.
+const LIES: f64 = 0.5;
+
 /// Flags of a run of `simulated` s.
 pub(crate) fn raise(
     case: &AxisymmetricCase,
@@ -99,6 +102,12 @@ fn window(
         raised.raise_at(end, FlagKind::WindowCapped, said);
     }
     let goes_on = extremes.rebound.filter(|speed| *speed <= 0.0);
+    let by_itself = matches!(until, Until::Settled(_)) && simulated < end;
+    let lies = extremes.touching || goes_on.is_some_and(|speed| speed > -LIES);
+    if by_itself && lies {
+        let said = "nothing could grow any more, though the object still lay at the eye";
+        return raised.raise(FlagKind::Stays, said);
+    }
     if let Some(speed) = goes_on
         && simulated < end
         && !extremes.touching
@@ -113,6 +122,9 @@ fn window(
     if goes_on.is_some() || extremes.touching {
         let said = "the window ended before the projectile had left the eye";
         raised.raise_at(end, FlagKind::ContactCut, said);
+    }
+    if by_itself {
+        return;
     }
     let late = Quantity::ALL.iter().find(|of| {
         let peak = readings.peak(**of);

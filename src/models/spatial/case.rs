@@ -1,6 +1,6 @@
 //! An eye in three dimensions, ready to be hit.
 
-use crate::models::axisymmetric::case::{LONGEST, ORBITS_RIM, object, parameters, refused};
+use crate::models::axisymmetric::case::{ORBITS_RIM, object, parameters, refused};
 use crate::models::axisymmetric::flags::of_blow;
 use crate::models::axisymmetric::forces::object::Object;
 use crate::models::axisymmetric::time::march::{Steps, Stop};
@@ -23,6 +23,9 @@ use std::sync::Arc;
 /// Energy of flight that breaks bone in half of all cases, in J: of a baseball at 13.9 m/s on the
 /// cheekbone, part of which squeezes it; computed walls of orbits break at 16 to 41 J.
 const BONE_BREAKS: f64 = 14.0;
+
+/// The longest that a run without a set time lasts, in s.
+const LONGEST: f64 = 19e-3;
 
 /// A blow this little out of the plane through the eye's axis is in it, in m.
 const IN_PLANE: f64 = 1e-9;

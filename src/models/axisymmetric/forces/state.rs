@@ -38,6 +38,8 @@ pub(crate) struct CellSums {
     pub volume: f64,
     /// Smallest corner over its volume at rest.
     pub least_corner: f64,
+    /// Longest step by how fast corners shrink, s, where cells tell it apart.
+    pub shrinking: f64,
 }
 
 /// Sums of many cells by place in a group of eight.
@@ -49,6 +51,8 @@ pub(crate) struct Totals {
     pub volume: Lane,
     /// 1/s, most.
     pub rate: Lane,
+    /// 1/s, most.
+    pub shrinking: Lane,
     /// Least.
     pub corner: Lane,
 }
@@ -61,8 +65,10 @@ impl Totals {
     /// Over all places.
     pub fn sums(&self) -> CellSums {
         let sum = |of: &Lane| of.iter().sum::<f64>();
+        let most = |of: &Lane| of.iter().copied().fold(0.0, f64::max);
         CellSums {
-            limit: 1.0 / self.rate.iter().copied().fold(0.0, f64::max),
+            limit: 1.0 / most(&self.rate),
+            shrinking: 1.0 / most(&self.shrinking),
             loss: sum(&self.loss),
             pressure: sum(&self.mean),
             sensor: sum(&self.sensor),

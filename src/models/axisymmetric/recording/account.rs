@@ -54,7 +54,7 @@ pub(crate) struct Account {
     /// The largest tension of the sclera that passed its low pass, Pa.
     pub stress: f64,
     /// When what acts was last seen to be gone, s.
-    over_since: Option<f64>,
+    pub(crate) over_since: Option<f64>,
     /// Most energy that has come in, and most that the balance was off, J.
     came: f64,
     missing: f64,
@@ -216,10 +216,14 @@ impl Account {
         self.missing = self.missing.max(missing);
     }
 
-    /// Whether what acts is gone and nothing has grown since `last_growth` for long. Traces and
-    /// frames want the whole of a time that was asked for.
+    /// Whether it may: traces and frames want the whole of a time that was asked for.
+    pub fn ends_by_itself(&self) -> bool {
+        !matches!(self.window, Until::Time(_)) || self.keep == Keep::default()
+    }
+
+    /// Whether what acts is gone and nothing has grown since `last_growth` for long.
     pub fn settled(&mut self, over: bool, last_growth: f64, time: f64) -> bool {
-        if matches!(self.window, Until::Time(_)) && self.keep != Keep::default() {
+        if !self.ends_by_itself() {
             return false;
         }
         // An eye that was let go swings back: its growth may begin only now.

@@ -29,7 +29,7 @@ pub(crate) const GONE: f64 = 0.5e-3;
 const PRESSED_TO_NOTHING: f64 = 7e-4;
 /// An object is narrow if its radius is less than this share of the eye's.
 pub(crate) const NARROW: f64 = 0.25;
-/// Steps between two looks at the watch, and at whether a run may end.
+/// Steps between two looks at the watch.
 const WATCH_EVERY: usize = 256;
 
 /// How the cells are computed.
@@ -125,7 +125,7 @@ pub type Take<'a> = &'a mut dyn FnMut(Frame) -> ControlFlow<()>;
 
 /// When one of the readings, or a force or pressure that some of them are means of, last grew, in
 /// s.
-fn last_growth(extremes: &Extremes) -> f64 {
+pub(crate) fn last_growth(extremes: &Extremes) -> f64 {
     let unfiltered = extremes.force.time.max(extremes.back_pressure.time);
     readings::of(extremes).last_peak().max(unfiltered)
 }
@@ -141,12 +141,14 @@ pub(crate) struct Bounds {
 pub(crate) trait Marching: Recorded + Sized {
     /// What is left at the end.
     type Run;
+    /// Steps between two looks at whether a run may end.
+    const ENDS_EVERY: usize;
 
     /// Forces of everything where it is now.
     fn forces(&mut self, time: f64) -> Self::Now;
     fn bounds(now: &Self::Now) -> Bounds;
-    /// Whether what acts is gone.
-    fn over(&self, time: f64) -> bool;
+    /// Whether what acts is gone and nothing can grow any more.
+    fn settled(&mut self, time: f64) -> bool;
     /// Whether the object has gone through; some look at every so many steps, and at the last.
     fn gone_through(&self, steps: usize, last: bool) -> bool;
     /// Moves everything by `step` s after a kick of `kick` s, and adds up what that costs.
@@ -166,8 +168,7 @@ pub(crate) trait Marching: Recorded + Sized {
         let after = |time: f64, every: f64| every * ((time / every).floor() + 1.0);
         let mut at_rest = None;
         loop {
-            let looks = steps % WATCH_EVERY == 0;
-            if looks && watch(window.share(time, swing)).is_break() {
+            if steps % WATCH_EVERY == 0 && watch(window.share(time, swing)).is_break() {
                 return Err(Stop::Watched);
             }
             let now = self.forces(time);
@@ -176,11 +177,7 @@ pub(crate) trait Marching: Recorded + Sized {
             let before = step;
             step = if steps == 0 { most } else { most.min(GROWTH * before) };
             let forces = self.read(&now, (steps, time), (before, by.kick(before, step)));
-            let settled = looks && {
-                let over = self.over(time);
-                let growth = last_growth(&self.account().extremes);
-                self.account().settled(over, growth, time)
-            };
+            let settled = steps.is_multiple_of(Self::ENDS_EVERY) && self.settled(time);
             let least = PRESSED_TO_NOTHING * *at_rest.get_or_insert(bounds.cells);
             let extremes = &mut self.account().extremes;
             let flat = bounds.cells < least || extremes.shortening.value > PRESSED_FLAT;

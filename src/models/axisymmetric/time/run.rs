@@ -21,7 +21,7 @@ use crate::models::axisymmetric::recording::sensor::{Accelerometers, LowPass};
 use crate::models::axisymmetric::recording::{results::EngineRun, tissue::Tissues};
 use crate::models::axisymmetric::time::due::FramesDue;
 use crate::models::axisymmetric::time::march::{
-    Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
+    Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take, last_growth,
 };
 use crate::models::axisymmetric::time::until::Until;
 use crate::models::pulse::{Piece, Pulse, Segment};
@@ -241,6 +241,7 @@ impl<'a> Motion<'a> {
 
 impl Marching for Motion<'_> {
     type Run = EngineRun;
+    const ENDS_EVERY: usize = 256;
 
     fn forces(&mut self, time: f64) -> Instant {
         let sums = self.cells.forces(&mut self.state);
@@ -274,8 +275,8 @@ impl Marching for Motion<'_> {
         Bounds { all: now.limit, cells: now.sums.limit }
     }
 
-    fn over(&self, time: f64) -> bool {
-        match (&self.object, &self.load) {
+    fn settled(&mut self, time: f64) -> bool {
+        let over = match (&self.object, &self.load) {
             (Some((object, projectile)), _) => {
                 let apex = self.state.shell.start;
                 let away = self.state.x[apex] - projectile.x[0] - object.reach();
@@ -286,7 +287,9 @@ impl Marching for Motion<'_> {
                 load.segments.iter().any(|s| s.piece == Piece::Nothing && time > s.start)
             }
             _ => false,
-        }
+        };
+        let growth = last_growth(&self.account.extremes);
+        self.account.settled(over, growth, time)
     }
 
     /// Whether the centre of the object lies behind the shell, on the axis or off it.

@@ -29,6 +29,10 @@ use crate::models::spatial::forces::math::{
     Math, Plain, Three, by_component, cross, dot, eight, minus, plus, times,
 };
 
+/// How many times the stiffness of a crushed cell counts for the step: once is stable, but what rings
+/// at the bound has its energy missed.
+const STIFF: f64 = 1.5;
+
 /// What is constant of a cell.
 pub(crate) mod field {
     pub const VOLUME: usize = 0; // m3.
@@ -52,7 +56,8 @@ pub(crate) mod field {
     pub const SENSOR: usize = 42; // Weight in the pressure at the back.
     pub const GLOBE: usize = 43; // 1 for a cell of the globe.
     pub const PRESENT: usize = 44; // 1, or 0 of a place without a cell.
-    pub const COUNT: usize = 45;
+    pub const STIFF: usize = 45; // How much of its squared rate a corner's node takes, kg.
+    pub const COUNT: usize = 46;
 }
 
 /// The constants of one cell, by [`field`].
@@ -93,6 +98,8 @@ pub(crate) struct Response<N> {
     pub loss: N,
     /// 1 over the longest stable step, 1/s.
     pub rate: N,
+    /// 1 over the longest step by how fast its corners shrink, 1/s.
+    pub shrinking: N,
     /// Smallest volume of a corner over its volume at rest.
     pub least_corner: N,
 }
@@ -216,6 +223,7 @@ pub(crate) fn constants(eye: &SpatialEye, cell: &Cell<8>) -> Constants {
     c[field::KINEMATIC] = material.viscosity / density;
     c[field::CORNER_SPEED] = corner::WEIGHT * cell.subzonal / (density * at_rest / 8.0);
     c[field::PRESENT] = 1.0;
+    c[field::STIFF] = STIFF * density * at_rest / 8.0;
     c
 }
 
@@ -337,7 +345,15 @@ pub(crate) fn respond<M: Math>(
     ];
     let on = to_corners(m, &on);
     let force = eight!(n => plus(of_corners.force[n], on[n]));
-    Response { force, pressure, volume: true_volume, loss, rate, least_corner: of_corners.least }
+    Response {
+        force,
+        pressure,
+        volume: true_volume,
+        loss,
+        rate,
+        shrinking: of_corners.shrinking,
+        least_corner: of_corners.least,
+    }
 }
 
 /// Stored in a cell with constants `c` and its corners at `p`, J.

@@ -19,8 +19,13 @@ use crate::models::spatial::forces::object::{Line, MovingObject, touches};
 use crate::models::spatial::forces::state::{NodeState, vector};
 use nalgebra::Vector3;
 
-/// Courant number of contact over that of the cells.
-const COURANT: f64 = 0.4 / 0.6;
+/// How many times its stiffness contact counts for the step, so that the force on the node that is hit
+/// is followed: with once, a BB's energy is missed by up to 1.3 %, with four times by 0.1 to 0.4.
+const FOLLOWED: f64 = 4.0;
+/// How many times its damping counts where this share of what gives way is used up: a light splash
+/// at 25 degrees has its energy missed by 30 % with once, by 2 with four times.
+const CRUSHED: f64 = 4.0;
+const NEARLY: f64 = 0.8;
 /// A quad may grow by this before it is looked at too late.
 const GROWN: f64 = 2.0;
 
@@ -46,6 +51,8 @@ pub(crate) struct Target {
     /// Stiffness and damping that each node has a share in; all 0 between two calls.
     stiff: Vec<[f64; 2]>,
     pressed: Vec<usize>,
+    /// The part of the forces on nodes that gives nothing back, N.
+    lossy: Vec<(usize, Vector3<f64>)>,
     /// Whether the object touches each quad of the shell.
     pub touched: Vec<bool>,
 }
@@ -57,8 +64,10 @@ pub(crate) struct Touch {
     pub force: Vector3<f64>,
     /// Stored, J.
     pub energy: f64,
-    /// Longest stable step, s.
+    /// Longest stable step by what the surface loses, s.
     pub limit: f64,
+    /// What the object's own mass adds to the squared rate of the nodes it presses, 1/s2.
+    pub stiff: f64,
     /// Largest share of what gives way of the object's surface that is used up.
     pub used_up: f64,
     /// Power lost in the object's surface, W, less what its own motion does.
@@ -131,6 +140,7 @@ impl Target {
             copies: eye.copies(),
             stiff: vec![[0.0; 2]; eye.mass.len()],
             pressed: Vec::new(),
+            lossy: Vec::new(),
             touched: vec![false; eye.quads.len()],
         }
     }
@@ -154,17 +164,19 @@ impl Target {
         }
     }
 
-    /// The longest stable step by what nodes have shares in, s, which it takes from them.
-    fn bound(&mut self) -> f64 {
-        let mut limit = f64::INFINITY;
+    /// Makes nodes stiffer by what they have a share in, which it takes from them.
+    fn stiffen(&mut self, state: &mut NodeState) {
         for &node in &self.pressed {
             let [stiffness, damping] = std::mem::take(&mut self.stiff[node]);
-            let stable = 2.0 * COURANT * (self.mass[node] / stiffness).sqrt();
-            let damped = DAMPED * self.mass[node] / damping.max(f64::MIN_POSITIVE);
-            limit = limit.min(stable).min(damped);
+            state.stiffen(node, self.mass[node], (FOLLOWED * stiffness, damping));
         }
         self.pressed.clear();
-        limit
+    }
+
+    /// The power that the nodes lose by what gives nothing back, as fast as they move now, W.
+    pub fn loss(&self, state: &NodeState) -> f64 {
+        let lost = |(node, force): &(usize, Vector3<f64>)| force.dot(&vector(&state.speed, *node));
+        -self.copies * self.lossy.iter().map(lost).sum::<f64>()
     }
 
     /// Adds the forces of contact to those of nodes and to the projectile's.
@@ -175,6 +187,7 @@ impl Target {
         state: &mut NodeState,
     ) -> Touch {
         let mut touch = Touch::default();
+        self.lossy.clear();
         let near = object.near();
         let (mut whole_slope, mut whole_damping) = (0.0, 0.0);
         for quad in &self.quads {
@@ -186,7 +199,7 @@ impl Target {
             }
             let p = quad.corners.map(|node| vector(&state.at, node));
             let v = quad.corners.map(|node| vector(&state.speed, node));
-            let mut forces = [Vector3::zeros(); 4];
+            let (mut forces, mut lossy) = ([Vector3::zeros(); 4], [Vector3::zeros(); 4]);
             let (mut pressed_any, mut close) = (false, false);
             let mut depths = [0.0; 4];
             for (point, area) in quad.areas.iter().enumerate() {
@@ -206,6 +219,12 @@ impl Target {
                 let slope = object.surface.steepest(gap, pressed.slope, closing);
                 let (left, change) = object.surface.hysteresis(object.speed, closing);
                 let damping = if gap > 0.0 { change * pressed.traction } else { 0.0 };
+                // Beside its line the depth in a ball that gives way changes faster than a place moves,
+                // and its normal turns.
+                let steep = normal.norm_squared();
+                let slope = steep * (slope + pressed.traction * object.bend(gap));
+                let crushed = object.surface.used_up(gap) > NEARLY;
+                let damping = if crushed { CRUSHED * steep } else { steep } * damping;
                 whole_slope += area * slope;
                 whole_damping += area * damping;
                 for (node, share) in quad.corners.into_iter().zip(shares) {
@@ -221,20 +240,22 @@ impl Target {
                 }
                 pressed_any = true;
                 let force = area * pressed.traction * left;
-                let lossy = area * pressed.traction * (left - 1.0);
-                touch.loss -= lossy * speed;
-                projectile.lossy[0] -= normal * (lossy * self.copies);
+                let lost = area * pressed.traction * (left - 1.0);
+                touch.loss -= lost * speed;
+                projectile.lossy[0] -= normal * (lost * self.copies);
                 touch.energy += area * pressed.energy;
                 touch.used_up = touch.used_up.max(object.surface.used_up(gap));
                 touch.force += normal * force;
-                for (to, share) in forces.iter_mut().zip(shares) {
-                    *to += normal * (force * share);
+                for i in 0..4 {
+                    forces[i] += normal * (force * shares[i]);
+                    lossy[i] += normal * (lost * shares[i]);
                 }
             }
             if pressed_any {
                 for (node, force) in quad.corners.into_iter().zip(forces) {
                     state.push(node, force);
                 }
+                self.lossy.extend(quad.corners.into_iter().zip(lossy));
             }
             if let Some((number, cornea)) = quad.shell.filter(|_| close) {
                 let area = touched(depths, projectile.way, &p);
@@ -243,7 +264,8 @@ impl Target {
                 touch.cornea += cornea * area;
             }
         }
-        touch.limit = self.bound();
+        self.stiffen(state);
+        touch.limit = f64::INFINITY;
         touch.force *= self.copies;
         if self.copies > 1.0 {
             touch.force.z = 0.0;
@@ -253,11 +275,7 @@ impl Target {
         touch.loss *= self.copies;
         touch.area *= self.copies;
         touch.cornea *= self.copies;
-        // The object's own mass may be less than that of what it presses.
-        if whole_slope > 0.0 {
-            let stable = (projectile.mass[0] / (self.copies * whole_slope)).sqrt();
-            touch.limit = touch.limit.min(2.0 * COURANT * stable);
-        }
+        touch.stiff = 0.25 * FOLLOWED * self.copies * whole_slope / projectile.mass[0];
         if whole_damping > 0.0 {
             let damped = projectile.mass[0] / (self.copies * whole_damping);
             touch.limit = touch.limit.min(DAMPED * damped);

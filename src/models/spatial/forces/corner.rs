@@ -26,8 +26,10 @@ pub(crate) struct Corners<N> {
     pub back: N,
     /// W.
     pub loss: N,
-    /// 1/s.
+    /// 1 over the longest stable step, 1/s.
     pub rate: N,
+    /// 1 over the time in which half of the fastest shrinking one would be gone, 1/s.
+    pub shrinking: N,
     /// Smallest over that at rest.
     pub least: N,
 }
@@ -128,6 +130,6 @@ pub(crate) fn respond<M: Math>(
         if along(2) { plus(second, edges[2]) } else { minus(second, edges[2]) }
     });
     let frequency = m.root(c.get(m, field::CORNER_SPEED) * sixth * stiffest);
-    let rate = m.most(m.number(0.5) * frequency, -(shrinking * m.number(1.0 / LOSS_IN_STEP)));
-    Corners { force, back, loss, rate, least }
+    let shrinking = -(shrinking * m.number(1.0 / LOSS_IN_STEP));
+    Corners { force, back, loss, rate: m.number(0.5) * frequency, shrinking, least }
 }

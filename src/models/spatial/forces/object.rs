@@ -232,6 +232,25 @@ mod tests {
     }
 
     #[test]
+    fn what_comes_in_at_the_back_of_a_ball_is_not_deep_at_once() {
+        let object = sphere(ObjectSurface::elastic(2e6, 5e-3));
+        let ObjectOutline::Sphere(radius) = object.outline else { unreachable!() };
+        for behind in [1e-6, 1e-4, 5e-4] {
+            for r in [0.0, 1e-5, 1e-4, 1e-3] {
+                let (gap, nx, nr) = object.gap(behind - radius, r);
+                assert!(gap <= behind, "{behind} {r}: {gap}");
+                // The way in which it decreases is its slope.
+                let h = 1e-10;
+                let along = (object.gap(behind + h - radius, r).0 - gap) / h;
+                let aside = (object.gap(behind - radius, r + h).0 - gap) / h;
+                let steep = 1.0 + nx.abs() + nr.abs();
+                assert!((along + nx).abs() < 1e-3 * steep, "{behind} {r}");
+                assert!((aside + nr).abs() < 1e-3 * steep, "{behind} {r}");
+            }
+        }
+    }
+
+    #[test]
     fn an_aim_says_where_it_comes_from_and_by_what_it_passes() {
         let aim = Aim { angle: 0.5, from: 1.0, offset: 2e-3, towards: 2.0 };
         let way = aim.way();

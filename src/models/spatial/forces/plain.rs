@@ -51,7 +51,7 @@ impl PlainCells {
 impl Cells for PlainCells {
     fn forces(&mut self, state: &mut NodeState) -> CellSums {
         let mut sums = CellSums { least_corner: f64::INFINITY, ..CellSums::default() };
-        let mut rate = 0.0_f64;
+        let (mut rate, mut shrinking) = (0.0_f64, 0.0_f64);
         for ((c, corners), pressure) in self.cells.iter().zip(&mut self.pressures) {
             let (at, speed) = (gathered(&state.at, corners), gathered(&state.speed, corners));
             let response = cell::respond(Plain, Fields::of(c), &at, &speed);
@@ -66,9 +66,15 @@ impl Cells for PlainCells {
             sums.volume += c[field::GLOBE] * response.volume;
             sums.loss += response.loss;
             sums.least_corner = sums.least_corner.min(response.least_corner);
+            shrinking = shrinking.max(response.shrinking);
             rate = rate.max(response.rate);
+            let over = response.rate * response.rate - state.regular[0];
+            for &node in corners.iter().filter(|_| over > 0.0) {
+                state.stiff[node] += c[field::STIFF] * over;
+            }
         }
-        sums.limit = 1.0 / rate;
+        sums.shrinking = 1.0 / shrinking;
+        sums.limit = 1.0 / rate.max(shrinking);
         sums
     }
 

@@ -124,6 +124,7 @@ fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellS
     let mut totals = Totals::new();
     let zero = Gathered([[[0.0; LANES]; 3]; 8]);
     let (mut at, mut speed, mut on) = (zero, zero, zero);
+    let mut over_regular: Lane = [0.0; LANES];
     for (number, group) in rows.groups.iter().enumerate() {
         gather(group, &state.at, &mut at);
         gather(group, &state.speed, &mut speed);
@@ -147,14 +148,37 @@ fn forces<S: Simd>(simd: S, rows: &mut CellRows, state: &mut NodeState) -> CellS
             add(m, &mut totals.sensor, lane, weighted(field::SENSOR) * pressure);
             let volume = weighted(field::GLOBE) * response.volume;
             add(m, &mut totals.volume, lane, volume);
-            let rate = m.most(m.load(&totals.rate, lane), response.rate);
+            let shrinking = m.most(m.load(&totals.shrinking, lane), response.shrinking);
+            m.store(shrinking, &mut totals.shrinking, lane);
+            let rate = m.most(response.rate, response.shrinking);
+            let rate = m.most(m.load(&totals.rate, lane), rate);
             m.store(rate, &mut totals.rate, lane);
+            let over = response.rate * response.rate - m.number(state.regular[0]);
+            let stiff = weighted(field::STIFF) * m.most(over, m.number(0.0));
+            m.store(stiff, &mut over_regular, lane);
             let corner = m.least(m.load(&totals.corner, lane), response.least_corner);
             m.store(corner, &mut totals.corner, lane);
         }
         scatter(simd, group, &on, state);
+        stiffen(group, &over_regular, &mut state.stiff);
     }
     totals.sums()
+}
+
+/// Adds what is stiff to the nodes of the cells that are.
+#[inline(always)]
+fn stiffen(group: &Group, over: &Lane, stiff: &mut [f64]) {
+    for (lane, over) in over.iter().enumerate().take(group.present) {
+        if *over > 0.0 {
+            for corner in &group.corners {
+                let node = match corner {
+                    CornerNodes::From(first) => first + lane,
+                    CornerNodes::List(nodes) => nodes[lane] as usize,
+                };
+                stiff[node] += over;
+            }
+        }
+    }
 }
 
 /// Adds what acts on the corners of a group to the nodes.

@@ -15,6 +15,10 @@ pub(crate) struct NodeState {
     pub force: Nodes,
     /// 1/kg, 0 where a node is held.
     pub free: Nodes,
+    /// What stiff cells add to the squared rate of each node, times its mass, kg/s2.
+    pub stiff: Vec<f64>,
+    /// The squared rate above which a cell is stiff, 1/s2, and what a mesh without such has.
+    pub regular: [f64; 2],
 }
 
 /// The cells of an eye, in one form of computing them or another.
@@ -48,11 +52,14 @@ impl NodeState {
             speed: std::array::from_fn(|_| zeros()),
             force: std::array::from_fn(|_| zeros()),
             free: std::array::from_fn(|k| (0..n).map(|node| free(node, k)).collect()),
+            stiff: zeros(),
+            regular: [f64::INFINITY, 0.0],
         }
     }
 
-    /// Takes all forces away.
+    /// Takes all forces away, and what is stiff.
     pub fn release(&mut self) {
+        self.stiff.fill(0.0);
         for force in &mut self.force {
             force.fill(0.0);
         }
@@ -64,6 +71,21 @@ impl NodeState {
         for k in 0..3 {
             self.force[k][node] += force[k];
         }
+    }
+
+    /// The largest squared rate of any node, 1/s2.
+    pub fn rate_squared(&self) -> f64 {
+        let over = self.stiff.iter().zip(&self.free[0]);
+        self.regular[1] + over.fold(0.0, |most, (stiff, free)| (stiff * free).max(most))
+    }
+
+    /// Makes a node of `mass` kg stiffer by `stiffness` N/m that loses `damping` N s/m.
+    pub fn stiffen(&mut self, node: usize, mass: f64, (stiffness, damping): (f64, f64)) {
+        // With both, h^2 K/4 + h C/2 = m.
+        let squared = self.regular[1] + (self.stiff[node] + 0.25 * stiffness) / mass;
+        let lost = 0.25 * damping / mass;
+        let rate = lost + (lost * lost + squared).sqrt();
+        self.stiff[node] = mass * (rate * rate - self.regular[1]);
     }
 
     /// Kicks velocities over `kick` s, then moves nodes over `drift` s.

@@ -152,13 +152,15 @@ impl Tissues {
     }
 
     /// Offers them to their peaks and to the extremes at `time`, in s; `share` is of a low pass,
-    /// `along` the stretch of each quad and `touched` whether the object touches it.
+    /// `along` the stretch of each quad and `touched` whether the object touches it. What pulls on
+    /// lens and iris counts only where `pulls` are read.
     pub fn read(
         &mut self,
         eye: &SpatialEye,
         at: &Nodes,
         (along, touched): (&[f64], &[bool]),
         (share, time): (f64, f64),
+        pulls: bool,
         peaks: &mut [Peak; 5],
         e: &mut Extremes,
     ) {
@@ -202,10 +204,15 @@ impl Tissues {
             for (hour, held) in held.iter_mut().enumerate() {
                 let apart = (held.shell.of(at) - held.lens.of(at)).norm() - held.rest;
                 let pulled = held.passed.pass(apart / self.read[which], share);
-                felt(&mut self.now[3 + which], &mut to[hour], pulled);
+                let most = &mut self.now[3 + which];
+                *most = most.max(pulled);
+                if pulls {
+                    to[hour] = to[hour].max(pulled);
+                }
             }
         }
-        for (peak, now) in peaks.iter_mut().zip(self.now).skip(1) {
+        let told = if pulls { peaks.len() } else { 3 };
+        for (peak, now) in peaks.iter_mut().zip(self.now).take(told).skip(1) {
             peak.offer(now, time);
         }
     }

@@ -1,3 +1,4 @@
 //! Through the window.
 
+pub(crate) mod ending;
 pub mod run;
