@@ -1,4 +1,4 @@
-//! The normal distribution: Φ and its inverse, and draws from one that is cut off.
+//! The normal distribution: Φ and its inverse, draws, and draws from one that is cut off.
 //!
 //! Φ(x) = 1/2 + φ(x) (x + x³/3 + x⁵/(3·5) + ...), whose terms are all of one sign, so nothing
 //! cancels. The inverse is Wichura's rational approximation (AS 241, Appl. Stat. 37 (1988) 477),
@@ -67,6 +67,12 @@ pub fn quantile(p: f64) -> f64 {
     let size =
         if r <= 5.0 { ratio(&SIDE.0, &SIDE.1, r - 1.6) } else { ratio(&TAIL.0, &TAIL.1, r - 5.0) };
     size.copysign(q)
+}
+
+/// A number of a standard normal distribution, of a well spread sequence: the same for good.
+pub fn draw(number: u32, dimension: u32) -> f64 {
+    let share = f64::from(sobol_burley::sample(number, dimension, 1));
+    quantile(share.clamp(1e-6, 1.0 - 1e-6))
 }
 
 /// The value below which the share `u` of a normal distribution cut off at `min` and `max` lies.

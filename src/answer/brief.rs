@@ -11,7 +11,7 @@
 
 use crate::answer::directions::other_directions;
 use crate::answer::{compiled::Compiled, results::Results, solve::solve_by};
-use crate::injury::{Injury, PerInjury, told};
+use crate::injury::{Felt, Injury, PerInjury, hit, told};
 use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
 use crate::run::{flags::FlagKind, kept::Keep, model::Run, plan::Plan, raised::of_motion};
 use crate::run::{refusal::Refusal, watch::Watch};
@@ -34,7 +34,7 @@ pub struct BriefAnswer {
     pub flags: Vec<FlagKind>,
     /// The step error, where it was checked.
     pub check: Option<Check>,
-    /// The 80 % range of each risk, 0 to 1, with the step error alone, where that was checked.
+    /// The 80 % range of each risk, 0 to 1, with the step error that was found, or else promised.
     pub ranges: Option<PerInjury<(f64, f64)>>,
 }
 
@@ -100,12 +100,20 @@ pub fn single(
     let run = case.run(&plan, Keep::default(), watch)?;
     let mut answer = brief(&case, &run);
     let others = other_directions(scenario, watch)?;
-    if let (Some(own), Some(blow), false) = (case.felt(&run), &case.blow, others.is_empty()) {
-        for injury in Injury::ALL {
-            let all = std::iter::once(&own).chain(&others);
-            let sum: f64 = all.map(|felt| told(blow, *injury, felt)).sum();
-            answer.values[injury.result()] = Some(1e2 * sum / (1 + others.len()) as f64);
+    if let (Some(own), Some(blow)) = (case.felt(&run), &case.blow) {
+        let several = !others.is_empty();
+        let step = 0.01 * case.rules().promise_percent;
+        let all: Vec<Felt> = std::iter::once(own).chain(others).collect();
+        if several {
+            for injury in Injury::ALL {
+                let sum: f64 = all.iter().map(|felt| told(blow, *injury, felt)).sum();
+                answer.values[injury.result()] = Some(1e2 * sum / all.len() as f64);
+            }
         }
+        let with_step =
+            |felt: Felt| Felt { errors: felt.errors.map(|e| libm::hypot(e, step)), ..felt };
+        let all: Vec<Felt> = all.into_iter().map(with_step).collect();
+        answer.ranges = Some(std::array::from_fn(|j| hit(blow, Injury::ALL[j], &all).ends()));
     }
     Ok(answer)
 }
@@ -133,10 +141,7 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
         }
     }
     answer.others = other_directions(scenario, watch)?;
-    let range = |injury: &Injury| {
-        let hit = answer.risk(*injury)?.hit;
-        Some((hit.low, hit.high))
-    };
+    let range = |injury: &Injury| Some(answer.risk(*injury)?.hit.ends());
     let ranges: Option<Vec<(f64, f64)>> = Injury::ALL.iter().map(range).collect();
     let stated = answer.errors.time_step_percent();
     Ok(BriefAnswer {

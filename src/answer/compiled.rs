@@ -1,7 +1,7 @@
 //! A scenario ready to be run: the eye of its model, and what its risks need.
 
 use crate::answer::results::Results;
-use crate::injury::{Blow, DamageIndex, Felt, Injury, PerInjury, told};
+use crate::injury::{Blow, DamageIndex, Felt, Injury, PerInjury, Population, told};
 use crate::models;
 use crate::run::model::{EyeModel, Run};
 use crate::run::plan::{LOCAL_TOLERANCE, Plan};
@@ -62,7 +62,13 @@ impl Compiled {
         Some(value * of.row().factor)
     }
 
-    /// What the tissues felt in a run of this scenario, as if its numbers had no errors.
+    /// The share by which what a tissue felt may be wrong on a mesh other than the one that the
+    /// points of 50 % were fitted on.
+    pub fn mesh_error(&self, injury: Injury) -> f64 {
+        if self.level() > 1 { injury.curve().mesh_unknown } else { 0.0 }
+    }
+
+    /// What the tissues felt in a run of this scenario, as if its steps made no error.
     pub fn felt(&self, run: &Run) -> Option<Felt> {
         let way_in = self.blow.as_ref()?.way_in;
         if run.missed {
@@ -74,7 +80,14 @@ impl Compiled {
         for (measure, injury) in measures.iter_mut().zip(Injury::ALL) {
             *measure = run.readings.value(injury.measure())?;
         }
-        Some(Felt { measures, errors: PerInjury::default(), way_in, weight: 1.0 })
+        let living = self.blow.is_some_and(|blow| blow.population == Population::Living);
+        let section = living && run.sectors.is_none();
+        let errors = std::array::from_fn(|j| {
+            let injury = Injury::ALL[j];
+            let of_section = if section { injury.curve().section_unknown } else { 0.0 };
+            libm::hypot(self.mesh_error(injury), of_section)
+        });
+        Some(Felt { measures, errors, way_in, weight: 1.0 })
     }
 
     /// Every result of a run of this scenario.

@@ -4,9 +4,10 @@
 //! an offset or an hour, two to each side of the value, so far out that all directions, equally
 //! likely, have the spread that was given. They have the step error of the one that is shown.
 
-use crate::answer::brief::single;
-use crate::injury::{Blow, Felt, Injury, PerInjury};
-use crate::run::{ordered, ordered::until, refusal::Refusal, threads::beside, watch::Watch};
+use crate::answer::compiled::Compiled;
+use crate::injury::{Felt, Injury, PerInjury};
+use crate::run::{kept::Keep, ordered, ordered::until, refusal::Refusal};
+use crate::run::{threads::beside, watch::Watch};
 use crate::scenario::direction::{AS_HITS_COME, Directions};
 use crate::scenario::{Scenario, doubt, fields, set};
 use std::ops::ControlFlow;
@@ -72,7 +73,7 @@ pub fn other_directions(scenario: &Scenario, watch: Watch) -> Result<Vec<Felt>, 
     let count = others.len();
     let run = |i: usize| match felt(&others[i], &stop) {
         Err(Refusal::Cancelled) => None,
-        felt => Some(felt.ok()),
+        felt => Some(felt.ok().flatten()),
     };
     let mut all = Vec::new();
     let work = || {
@@ -102,15 +103,18 @@ pub fn other_directions(scenario: &Scenario, watch: Watch) -> Result<Vec<Felt>, 
     }
 }
 
-fn felt(scenario: &Scenario, stop: &AtomicBool) -> Result<Felt, Refusal> {
-    let way_in = Blow::of_tissues(scenario).and_then(|blow| blow.way_in);
-    let felt = |measures| Felt { measures, errors: PerInjury::default(), way_in, weight: 1.0 };
-    match single(&scenario.check()?, None, &mut until(stop)) {
-        Ok(brief) => Ok(felt(std::array::from_fn(|j| {
-            let of = Injury::ALL[j].measure();
-            brief.values[of].unwrap_or(0.0) / of.row().factor
-        }))),
+fn felt(scenario: &Scenario, stop: &AtomicBool) -> Result<Option<Felt>, Refusal> {
+    let checked = scenario.check()?;
+    let case = Compiled::new(&checked);
+    let plan = case.plan(&checked)?;
+    match case.run(&plan, Keep::default(), &mut until(stop)) {
+        Ok(run) => Ok(case.felt(&run)),
         Err(Refusal::Cancelled) => Err(Refusal::Cancelled),
-        Err(_) => Ok(felt([f64::INFINITY; Injury::ALL.len()])),
+        Err(_) => Ok(case.blow.map(|blow| Felt {
+            measures: [f64::INFINITY; Injury::ALL.len()],
+            errors: PerInjury::default(),
+            way_in: blow.way_in,
+            weight: 1.0,
+        })),
     }
 }

@@ -7,7 +7,7 @@ use crate::answer::compiled::Compiled;
 use crate::answer::directions::other_directions;
 use crate::answer::results::{Limits, Results};
 use crate::answer::validity::{Spoiled, spoiled};
-use crate::injury::{DamageIndex, Felt, Injury, PerInjury, Risk, assess, worse};
+use crate::injury::{DamageIndex, Felt, Injury, PerInjury, Risk, assess, hit, worse};
 use crate::run::flags::{Flag, FlagKind, LATE_PEAK_SHARE, has};
 use crate::run::kept::{Keep, Peak};
 use crate::run::raised::{TwoRuns, of_motion};
@@ -94,7 +94,7 @@ impl Answer {
     /// One result in its unit, if the scene has it; a risk over all directions.
     pub fn result(&self, of: Quantity) -> Option<f64> {
         match Injury::of(of).filter(|_| !self.others.is_empty()) {
-            Some(injury) => Some(1e2 * self.risk(injury)?.hit.told),
+            Some(injury) => Some(1e2 * hit(self.case.blow.as_ref()?, injury, &self.felt()).told),
             None => self.case.result(of, &self.run),
         }
     }
@@ -132,7 +132,7 @@ impl Answer {
     /// The risk of each injury: a globe first, as it must not be missed, then by what is told; none
     /// where [`Self::silence`] says why.
     pub fn risks(&self) -> Vec<Risk> {
-        let mut risks: Vec<Risk> = Injury::ALL.iter().filter_map(|i| self.risk(*i)).collect();
+        let mut risks = self.assessed().map_or_else(Vec::new, Vec::from);
         if let [_, rest @ ..] = &mut risks[..] {
             rest.sort_by(|a, b| b.share().told.total_cmp(&a.share().told));
         }
@@ -141,6 +141,10 @@ impl Answer {
 
     /// The risk of one injury.
     pub fn risk(&self, injury: Injury) -> Option<Risk> {
+        Some(self.assessed()?[injury as usize])
+    }
+
+    fn assessed(&self) -> Option<PerInjury<Risk>> {
         let felt = self.felt();
         if felt.is_empty() || self.silence().is_some() {
             return None;
@@ -150,10 +154,9 @@ impl Answer {
         // do more than is read; where likes of it were counted, so it was there.
         let breaks = self.has(FlagKind::BoneMayBreak) && blow.near.is_none();
         let flatter = self.has(FlagKind::BeyondTests) && (blow.unusual || blow.near.is_none());
-        let cut = self.at_least(injury.measure()) || breaks || flatter;
-        let mut risk = assess(blow, injury, &felt, cut);
-        risk.usable = self.no_risks().is_none();
-        Some(risk)
+        let cut = |j: usize| self.at_least(Injury::ALL[j].measure()) || breaks || flatter;
+        let usable = self.no_risks().is_none();
+        Some(assess(blow, &felt, &std::array::from_fn(cut)).map(|risk| Risk { usable, ..risk }))
     }
 
     /// Why no risk can be told of what was computed, and what to do about it, if that is so.
@@ -182,20 +185,18 @@ impl Answer {
 
     /// What the tissues felt, from each direction that the blow may have come from.
     pub fn felt(&self) -> Vec<Felt> {
-        let Some(mut own) = self.case.felt(&self.run) else { return Vec::new() };
-        let errors = std::array::from_fn(|j| self.felt_error(Injury::ALL[j]));
-        own.errors = errors;
-        let others = self.others.iter().map(|felt| Felt { errors, ..*felt });
-        std::iter::once(own).chain(others).collect()
-    }
-
-    /// The share by which what a tissue felt may be wrong: by the step, and by a mesh other than
-    /// the one that the points of 50 % were fitted on.
-    fn felt_error(&self, injury: Injury) -> f64 {
-        let other_mesh = self.case.level() > 1 || self.pressed_flat();
-        let mesh = if other_mesh { injury.curve().mesh_unknown } else { 0.0 };
-        let step = self.errors.time_step[injury.measure()].unwrap_or(0.0);
-        libm::hypot(0.01 * step, mesh)
+        let Some(own) = self.case.felt(&self.run) else { return Vec::new() };
+        let steps: PerInjury<f64> = std::array::from_fn(|j| {
+            let injury = Injury::ALL[j];
+            // An eye that is pressed flat has no step error, but one mesh differs from another.
+            let flat = if self.pressed_flat() { injury.curve().mesh_unknown } else { 0.0 };
+            self.errors.time_step[injury.measure()].map_or(flat, |step| 0.01 * step)
+        });
+        let with_steps = |felt: Felt| {
+            let errors = std::array::from_fn(|j| libm::hypot(felt.errors[j], steps[j]));
+            Felt { errors, ..felt }
+        };
+        std::iter::once(own).chain(self.others.iter().copied()).map(with_steps).collect()
     }
 
     /// Why there are no risks, in one line; none where there are.

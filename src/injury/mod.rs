@@ -22,6 +22,6 @@ pub use crate::injury::index::{DamageIndex, ENERGY, MERIDIAN, SHELL, Term};
 pub use crate::injury::kind::{Injury, PerInjury};
 pub use crate::injury::object_kind::{Features, KINDS, ObjectKind, apart_squared, features};
 pub use crate::injury::outcomes::{Outcome, counted, outcomes};
-pub use crate::injury::risk::{Felt, Risk, Share, assess, told, worse};
+pub use crate::injury::risk::{Felt, Risk, Share, assess, hit, told, worse};
 pub use crate::injury::tissue::TissueCurve;
 pub use crate::injury::words::{BURST, SIGNS, UNSAID, gravity, span, whole};

@@ -6,18 +6,21 @@
 //! step and what the person doubts of the object. Of a globe it is 1 - (1 - that) (1 - the chance
 //! of a way in). Where a blow may come from several directions all are means over them.
 //!
-//! Of those who come to a clinic after such a blow the share follows [`crate::injury::clinic`].
+//! Of those who come to a clinic after such a blow the share follows [`crate::injury::clinic`]. It
+//! hangs on all injuries at once, so it is the mean, and its range the middle 80 %, over draws of
+//! all points, of what the person doubts, and of how much is found and written down.
 //!
 //! Left out: that injuries hang together, but for what the words say of an open globe.
 
 use crate::injury::blow::{Blow, Population};
-use crate::injury::clinic::Setting;
+use crate::injury::clinic::{Coming, Setting};
 use crate::injury::kind::{Injury, PerInjury};
 use crate::injury::outcomes::Outcome;
 use crate::injury::points::Point;
 use crate::injury::way_in::WayIn;
 use crate::normal;
 use libm::{hypot, log10};
+use std::sync::LazyLock;
 
 /// One in ten lies farther out than so many standard deviations, to each side.
 const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
@@ -29,6 +32,12 @@ const OF_ACCOUNT: f64 = 0.05;
 const WIDE: f64 = 0.7;
 /// A lower end from which on it says something, whatever the upper one.
 const LITTLE: f64 = 0.1;
+/// Draws that the share of those who come is a mean over, each with its mirror image.
+const DRAWS: usize = 128;
+/// Numbers of one draw: the point and what is found of each injury, and what the person doubts.
+const DRAWN: usize = 2 * Injury::ALL.len() + 1;
+/// How far the judged share that is found and written down is known: a deviation of its log odds.
+const FOUND_KNOWN: f64 = 0.5;
 
 /// What the tissues felt of one direction of a blow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -133,25 +142,71 @@ impl Share {
         let [told, low, high] = [Part::Told, Part::Low, Part::High].map(each);
         Self { told, low: low.min(told), high: high.max(told) }
     }
+
+    /// Both ends of its range.
+    pub fn ends(&self) -> (f64, f64) {
+        (self.low, self.high)
+    }
 }
 
-/// The share of all eyes that were hit so.
-fn hit(blow: &Blow, points: &PerInjury<Point>, injury: usize, felt: &[Felt]) -> Share {
+/// The share of all eyes that were hit so, by these points.
+fn by_points(blow: &Blow, points: &PerInjury<Point>, injury: usize, felt: &[Felt]) -> Share {
     Share::of(|part| mean(felt, |felt| chance(blow, points, injury, felt, part)))
 }
 
-/// The share of those who come.
-fn coming(blow: &Blow, injury: usize, felt: &[Felt]) -> Share {
-    Share::of(|part| {
-        let each = |felt: &Felt| {
-            let risks = std::array::from_fn(|j| {
-                let part = if j == injury { part } else { Part::Told };
-                chance(blow, &blow.points, j, felt, part)
-            });
-            Setting::WalkIn.coming(&risks)
-        };
-        let with = mean(felt, |felt| each(felt).with[injury]);
-        Setting::WalkIn.seen()[injury] * with / mean(felt, |felt| each(felt).all)
+/// The share of all eyes that were hit so.
+pub fn hit(blow: &Blow, injury: Injury, felt: &[Felt]) -> Share {
+    by_points(blow, &blow.points, injury as usize, felt)
+}
+
+/// Numbers of a standard normal distribution, a row a draw.
+static NORMAL: LazyLock<Vec<[f64; DRAWN]>> = LazyLock::new(|| {
+    let row = |draw| std::array::from_fn(|dimension| normal::draw(draw as u32, dimension as u32));
+    (0..DRAWS).map(row).flat_map(|row| [row, row.map(|x: f64| -x)]).collect()
+});
+
+/// The chance of each injury from one direction, of points that lie off by a draw.
+fn drawn(blow: &Blow, felt: &Felt, draw: &[f64; DRAWN]) -> PerInjury<f64> {
+    let doubted = draw[DRAWN - 1];
+    std::array::from_fn(|j| {
+        let point = &blow.points[j];
+        let step = log10(1.0 + felt.errors[j]);
+        let off = hypot(point.known, step) * draw[j] + blow.doubted.0 * doubted;
+        let measure = felt.measures[j];
+        let z = (log10(measure) - point.log + off) / point.eyes;
+        let torn = if measure > 0.0 { normal::below(z) } else { 0.0 };
+        let way_in = felt.way_in.filter(|_| j == Injury::GlobeRupture as usize);
+        let enters = way_in.map_or(0.0, |way| way.chance(blow.doubted_way_in() * doubted));
+        1.0 - (1.0 - torn) * (1.0 - enters)
+    })
+}
+
+/// The share of each injury among those who come.
+fn coming(blow: &Blow, felt: &[Felt]) -> PerInjury<Share> {
+    let setting = Setting::WalkIn;
+    let of = |draw: &[f64; DRAWN]| -> PerInjury<f64> {
+        let mut sum = Coming::default();
+        for felt in felt {
+            let each = setting.coming(&drawn(blow, felt, draw));
+            sum.all += felt.weight * each.all;
+            for (sum, with) in sum.with.iter_mut().zip(each.with) {
+                *sum += felt.weight * with;
+            }
+        }
+        std::array::from_fn(|j| {
+            let off = libm::exp(FOUND_KNOWN * draw[Injury::ALL.len() + j]);
+            let seen = setting.seen()[j];
+            seen * off / (1.0 - seen + seen * off) * sum.with[j] / sum.all
+        })
+    };
+    let all: Vec<PerInjury<f64>> = NORMAL.iter().map(of).collect();
+    std::array::from_fn(|j| {
+        let mut shares: Vec<f64> = all.iter().map(|shares| shares[j]).collect();
+        shares.sort_unstable_by(f64::total_cmp);
+        let told = shares.iter().sum::<f64>() / shares.len() as f64;
+        let tenth = shares.len() / 10;
+        let (low, high) = (shares[tenth], shares[shares.len() - 1 - tenth]);
+        Share { told, low: low.min(told), high: high.max(told) }
     })
 }
 
@@ -160,35 +215,36 @@ pub fn told(blow: &Blow, injury: Injury, felt: &Felt) -> f64 {
     chance(blow, &blow.points, injury as usize, felt, Part::Told)
 }
 
-/// All that is believed of an injury after a blow that tissues felt so; `cut` if it may grow.
-pub fn assess(blow: &Blow, injury: Injury, felt: &[Felt], cut: bool) -> Risk {
-    let j = injury as usize;
-    let mut own = hit(blow, &blow.points, j, felt);
-    let mut clinic = (blow.population == Population::Living).then(|| coming(blow, j, felt));
-    if cut {
-        own.high = 1.0;
-        if let Some(clinic) = &mut clinic {
-            clinic.high = 1.0;
+/// All that is believed of each injury after a blow that tissues felt so; `cut` where it may grow.
+pub fn assess(blow: &Blow, felt: &[Felt], cut: &PerInjury<bool>) -> PerInjury<Risk> {
+    let living = blow.population == Population::Living;
+    let coming = living.then(|| coming(blow, felt));
+    std::array::from_fn(|j| {
+        let mut own = by_points(blow, &blow.points, j, felt);
+        let mut clinic = coming.map(|coming| coming[j]);
+        if cut[j] {
+            own.high = 1.0;
+            clinic = clinic.map(|clinic| Share { high: 1.0, ..clinic });
         }
-    }
-    let laboratory = blow.laboratory.as_ref().map(|points| hit(blow, points, j, felt));
-    let differs = |other: &Share| {
-        let (less, more) = (own.told.min(other.told), own.told.max(other.told));
-        let says_something = other.high - other.low <= WIDE;
-        says_something && more > OF_ACCOUNT && more > DIFFER * less
-    };
-    let half = |felt: &Felt| felt.measures[j] / libm::exp10(blow.points[j].log);
-    Risk {
-        injury,
-        hit: own,
-        clinic,
-        laboratory: laboratory.filter(differs),
-        counted: blow.counted[j].zip(blow.near),
-        of_counted_kind: blow.near.is_some(),
-        of_half: mean(felt, half),
-        usable: true,
-        cut,
-    }
+        let laboratory = blow.laboratory.as_ref().map(|points| by_points(blow, points, j, felt));
+        let differs = |other: &Share| {
+            let (less, more) = (own.told.min(other.told), own.told.max(other.told));
+            let says_something = other.high - other.low <= WIDE;
+            says_something && more > OF_ACCOUNT && more > DIFFER * less
+        };
+        let half = |felt: &Felt| felt.measures[j] / libm::exp10(blow.points[j].log);
+        Risk {
+            injury: Injury::ALL[j],
+            hit: own,
+            clinic,
+            laboratory: laboratory.filter(differs),
+            counted: blow.counted[j].zip(blow.near),
+            of_counted_kind: blow.near.is_some(),
+            of_half: mean(felt, half),
+            usable: true,
+            cut: cut[j],
+        }
+    })
 }
 
 impl Risk {
@@ -228,6 +284,8 @@ mod tests {
     use super::*;
     use crate::scenario::library::tests::preset;
 
+    const HYPHEMA: usize = Injury::Hyphema as usize;
+
     fn felt(blow: &Blow, times: f64, error: f64) -> Felt {
         let measures = blow.points.map(|point| times * libm::exp10(point.log));
         let none = PerInjury::default();
@@ -237,10 +295,11 @@ mod tests {
     #[test]
     fn half_of_the_eyes_are_hurt_at_the_point_of_50_percent_and_ranges_hold_what_is_told() {
         let blow = Blow::of(&preset("squash-ball", &[]));
+        let of = |felt: &[Felt]| assess(&blow, felt, &PerInjury::default());
         for injury in Injury::ALL {
             let mut before = 0.0;
             for times in [0.01, 0.3, 1.0, 3.0, 100.0] {
-                let risk = assess(&blow, *injury, &[felt(&blow, times, 0.0)], false);
+                let risk = of(&[felt(&blow, times, 0.0)])[*injury as usize];
                 for share in [risk.hit, risk.clinic.unwrap()] {
                     assert!(share.low <= share.told && share.told <= share.high, "{risk:?}");
                 }
@@ -248,7 +307,7 @@ mod tests {
                 assert!((risk.of_half / times - 1.0).abs() < 1e-9);
                 before = risk.hit.told;
             }
-            let half = assess(&blow, *injury, &[felt(&blow, 1.0, 0.0)], false);
+            let half = of(&[felt(&blow, 1.0, 0.0)])[*injury as usize];
             assert!((half.hit.told - 0.5).abs() < 1e-12, "{half:?}");
         }
     }
@@ -257,11 +316,12 @@ mod tests {
     fn an_error_of_the_step_widens_and_directions_are_averaged() {
         let blow = Blow::of(&preset("paintball", &[]));
         let wide = |error: f64| {
-            let risk = assess(&blow, Injury::Hyphema, &[felt(&blow, 1.0, error)], false);
-            risk.hit.high - risk.hit.low
+            let risk = assess(&blow, &[felt(&blow, 1.0, error)], &PerInjury::default());
+            let [hit, clinic] = [risk[HYPHEMA].hit, risk[HYPHEMA].clinic.unwrap()];
+            (hit.high - hit.low).min(clinic.high - clinic.low)
         };
         assert!(wide(0.0) < wide(0.2) && wide(0.2) < wide(0.5));
-        let of = |felt: &[Felt]| assess(&blow, Injury::Hyphema, felt, false).hit.told;
+        let of = |felt: &[Felt]| assess(&blow, felt, &PerInjury::default())[HYPHEMA].hit.told;
         let (one, other) = (felt(&blow, 0.5, 0.0), felt(&blow, 2.0, 0.0));
         assert!((of(&[one, other]) - 0.5 * (of(&[one]) + of(&[other]))).abs() < 1e-12);
     }

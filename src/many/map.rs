@@ -2,12 +2,13 @@
 //!
 //! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on,
 //! so that what is known spreads over the whole range at once. Each point holds every result of
-//! its run; a place is read off the nearest four points of the finest grid that is known round it,
+//! its run, and the range of each risk; a place is read off the nearest four points of the finest grid that is known round it,
 //! linearly in both directions.
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
-use crate::answer::{brief::single, results::Results};
+use crate::answer::{brief::BriefAnswer, brief::single, results::Results};
+use crate::injury::{Injury, PerInjury};
 use crate::many::sweep::spaced;
 use crate::run::{ordered, ordered::until, quantity::Quantity};
 use crate::run::{refusal::Refusal, refusal::unstopped};
@@ -42,13 +43,28 @@ impl std::fmt::Debug for Span {
     }
 }
 
+/// What a run gave at one point of the grid.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PointResults {
+    /// Every result.
+    pub values: Results,
+    /// The 80 % range of each risk, 0 to 1.
+    pub ranges: Option<PerInjury<(f64, f64)>>,
+}
+
+impl From<BriefAnswer> for PointResults {
+    fn from(answer: BriefAnswer) -> Self {
+        Self { values: answer.values, ranges: answer.ranges }
+    }
+}
+
 /// The state of one point of the grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spot {
-    /// Every result.
-    Known(Results),
+    /// What its run gave.
+    Known(PointResults),
     /// Simulated, but beyond the model's validity: the mesh folded.
-    Folded(Results),
+    Folded(PointResults),
     /// The inputs are not allowed, or the run failed.
     Refused,
 }
@@ -56,8 +72,19 @@ pub enum Spot {
 impl Spot {
     /// A result in its unit, if there is one.
     pub fn value(&self, quantity: Quantity) -> Option<f64> {
+        self.results()?.values[quantity]
+    }
+
+    fn results(&self) -> Option<&PointResults> {
         let (Self::Known(results) | Self::Folded(results)) = self else { return None };
-        results[quantity]
+        Some(results)
+    }
+
+    /// An end of the range of a risk, in its unit; none of any other result.
+    fn end(&self, quantity: Quantity, end: fn((f64, f64)) -> f64) -> Option<f64> {
+        let ranges = self.results()?.ranges?;
+        let factor = quantity.row().factor;
+        Some(factor * end(ranges[Injury::of(quantity)? as usize]))
     }
 
     /// Whether the mesh folded.
@@ -71,6 +98,8 @@ impl Spot {
 pub struct MapReading {
     /// The result in its unit; none where the inputs are not allowed.
     pub value: Option<f64>,
+    /// The range of a risk, in its unit.
+    pub range: Option<(f64, f64)>,
     /// Whether the mesh folded at the nearest point.
     pub folded: bool,
     /// Whether it was simulated there, not read off between points.
@@ -138,18 +167,27 @@ impl Grid {
             let folded = here.is_some_and(Spot::folded);
             let is_point = |share: f64| share == 0.0 || share == 1.0;
             if let Some(spot) = here.filter(|_| is_point(u) && is_point(v)) {
-                return Some(MapReading { value: spot.value(quantity), folded, exact: true });
+                let range = spot.end(quantity, |r| r.0).zip(spot.end(quantity, |r| r.1));
+                return Some(MapReading {
+                    value: spot.value(quantity),
+                    range,
+                    folded,
+                    exact: true,
+                });
             }
             let corners = [(0, 0), (every, 0), (0, every), (every, every)];
             if let [Some(a), Some(b), Some(c), Some(d)] =
                 corners.map(|(a, b)| self.at((i + a, j + b)))
             {
-                let value = || {
-                    let low = a.value(quantity)? * (1.0 - u) + b.value(quantity)? * u;
-                    let high = c.value(quantity)? * (1.0 - u) + d.value(quantity)? * u;
+                let between = |of: &dyn Fn(&Spot) -> Option<f64>| {
+                    let low = of(a)? * (1.0 - u) + of(b)? * u;
+                    let high = of(c)? * (1.0 - u) + of(d)? * u;
                     Some(low * (1.0 - v) + high * v)
                 };
-                return Some(MapReading { value: value(), folded, exact: false });
+                let end = |end| between(&|spot| spot.end(quantity, end));
+                let range = end(|r| r.0).zip(end(|r| r.1));
+                let value = between(&|spot| spot.value(quantity));
+                return Some(MapReading { value, range, folded, exact: false });
             }
         }
         None
@@ -178,8 +216,8 @@ pub fn fill(
         let checked = scenario.check().map_err(Refusal::from);
         let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
         Some(match unstopped(run)? {
-            Ok(point) if point.folded() => Spot::Folded(point.values),
-            Ok(point) => Spot::Known(point.values),
+            Ok(point) if point.folded() => Spot::Folded(point.into()),
+            Ok(point) => Spot::Known(point.into()),
             Err(_) => Spot::Refused,
         })
     };

@@ -73,14 +73,16 @@ pub fn hours(answer: &Answer, injury: Injury, side: Side) -> Option<String> {
     Some(if from == to { format!("{from} o'clock") } else { format!("{from} to {to} o'clock") })
 }
 
-/// The lines for injuries that are not excluded, those of an open globe first, each once.
+/// The lines for injuries that are not excluded, those of an open globe first, each once; none of
+/// an eye in a laboratory.
 pub fn lines(answer: &Answer, risks: &[Risk], side: Side) -> Vec<(&'static str, String)> {
-    let excluded = |risk: &&Risk| !risk.usable || risk.is_open() || risk.gravity() > 0;
+    let not_excluded = |risk: &&Risk| !risk.usable || risk.is_open() || risk.gravity() > 0;
     let of = |risk: &Risk| {
         let [first, second] = risk.injury.look_for();
         let place = hours(answer, risk.injury, side);
         let place = place.map_or_else(String::new, |hours| format!(" Strained most at {hours}."));
         (risk.injury.name(), format!("{first} {second}{place}"))
     };
-    risks.iter().filter(excluded).map(of).collect()
+    let patients = risks.iter().filter(|risk| risk.clinic.is_some());
+    patients.filter(not_excluded).map(of).collect()
 }

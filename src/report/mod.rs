@@ -12,6 +12,7 @@ pub mod first_page;
 pub mod format;
 pub mod hard_cases;
 pub mod json;
+pub mod ladder;
 pub mod look_for;
 pub mod outcome_fit;
 #[cfg(test)]

@@ -50,11 +50,14 @@ pub fn text(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Re
     }
     if answer.silence().is_none() {
         paragraph("(in brackets: 8 of 10 of what it may be lie in it)", out)?;
-        writeln!(out, "\nWhat to look for")?;
-        for (name, words) in look_for::lines(answer, &answer.risks(), scenario.eye_side()) {
-            block(&format!("{name}: {words}"), "  ", "    ", out)?;
+        let look = look_for::lines(answer, &answer.risks(), scenario.eye_side());
+        if !look.is_empty() {
+            writeln!(out, "\nWhat to look for")?;
+            for (name, words) in look {
+                block(&format!("{name}: {words}"), "  ", "    ", out)?;
+            }
+            block(look_for::NOT_COMPUTED, "  ", "    ", out)?;
         }
-        block(look_for::NOT_COMPUTED, "  ", "    ", out)?;
         writeln!(out)?;
     }
     paragraph(SIGNS, out)

@@ -73,7 +73,8 @@ pub fn text(
 ) -> io::Result<()> {
     let (row, field, target) = (search.quantity.row(), search.field, target(search));
     writeln!(out, "{}\n", printable(&scenario.name))?;
-    let what = format!("{} {target}", capital(row.label));
+    let of = if search.quantity.is_risk() { " of eyes hit so" } else { "" };
+    let what = format!("{} {target}{of}", capital(row.label));
     for crossing in &threshold.crossings {
         let (at, path) = (at(search, crossing), field.path);
         writeln!(out, "{what} at {at} ({path}), {}", direction(crossing))?;

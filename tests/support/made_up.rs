@@ -11,7 +11,7 @@ use contrecoup::answer::compiled::Compiled;
 use contrecoup::answer::solve::{Answer, Errors};
 use contrecoup::answer::uncertain::inputs;
 use contrecoup::many::ensemble::{Ensemble, Sample, Timing};
-use contrecoup::many::map::{Grid, SIDE, Spot};
+use contrecoup::many::map::{Grid, PointResults, SIDE, Spot};
 use contrecoup::models::axisymmetric::case::AxisymmetricCase;
 use contrecoup::models::paper::case::PaperCase;
 use contrecoup::run::flags::{Flag, FlagKind};
@@ -390,10 +390,11 @@ pub fn grid(known: usize) -> Grid {
     for (x, y) in grid.order().into_iter().take(known) {
         let (across, up) = (x as f64 / last, y as f64 / last);
         let damage = 160.0 * across * (0.2 + 0.8 * up);
+        let point = PointResults { values: damage_only(damage), ranges: None };
         let spot = match () {
             () if across < 0.2 && up > 0.8 => Spot::Refused,
-            () if damage > 90.0 => Spot::Folded(damage_only(damage)),
-            () => Spot::Known(damage_only(damage)),
+            () if damage > 90.0 => Spot::Folded(point),
+            () => Spot::Known(point),
         };
         grid.put((x, y), spot);
     }

@@ -43,10 +43,7 @@ pub(crate) fn of_blow(
 ) {
     if extremes.rim_force.value > 0.0 {
         let force = extremes.rim_force;
-        // To its second digit.
-        let most = format!("{:.1e}", force.value).parse().unwrap_or(force.value);
-        let (at, most) = (force.time * 1e3, plain(most));
-        let said = format!("{rim} met the projectile at {at:.3} ms, with {most} N");
+        let said = format!("{rim} met the projectile at {:.3} ms", force.time * 1e3);
         raised.raise_at(force.time, FlagKind::RimStops, said);
         if extremes.missed() {
             raised.raise(FlagKind::EyeMissed, format!("{rim} kept the projectile off the eye"));

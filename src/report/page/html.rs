@@ -113,9 +113,10 @@ fn blow(entry: &Entry) -> Markup {
                     @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
                     p.note { "In brackets: 8 of 10 of what it may be lie in it." }
                     @if let Some(bone) = bone::line(answer) { p.verdict { (bone) } }
-                    @if answer.silence().is_none() {
+                    @let look = look_for::lines(answer, &answer.risks(), scenario.eye_side());
+                    @if !look.is_empty() {
                         h2 { "What to look for" }
-                        @for (name, words) in look_for::lines(answer, &answer.risks(), scenario.eye_side()) {
+                        @for (name, words) in look {
                             p.note { strong { (name) } ": " (words) }
                         }
                         p.note { (look_for::NOT_COMPUTED) }

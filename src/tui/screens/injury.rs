@@ -5,10 +5,11 @@ use ratatui::layout::Rect;
 
 use crate::injury::{Injury, Risk};
 use crate::report::figure::{Figure, SCALE, unusable};
-use crate::report::format::capital;
+use crate::report::format::{capital, digits};
+use crate::report::ladder::{Rung, between, ladder};
 use crate::report::look_for::hours;
 use crate::report::risks::{basis, first_line};
-use crate::run::quantity::Quantity;
+use crate::run::quantity::{Quantity, Row};
 use crate::tui::keys::press::{DOWN, UP, c};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
@@ -25,6 +26,12 @@ const WIDEST: u16 = 120;
 const PICTURED: u16 = 40;
 /// Rows of what explains the chosen injury, at least.
 const EXPLAINED: u16 = 2;
+/// Rows of what explains it above the ladder of known objects.
+const LADDER_BELOW: u16 = 7;
+/// Rungs that a ladder has at least.
+const FEWEST: usize = 5;
+/// Columns of a figure on that ladder.
+const FIGURE: u16 = 7;
 
 /// The place of the injury that is explained, and what is shown.
 #[derive(Default)]
@@ -108,23 +115,57 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     rows(&shown.answer, heading, (Some(row), each), sheet);
     let foot = &mut sheet.at(below(area, 1 + each * count));
     foot.put((0, 0), "─".repeat(area.width.into()), theme.quiet());
-    let rows = usize::from(foot.area.height.saturating_sub(1));
-    foot.put_lines(
-        (1, 1),
-        whole_sentences(&explained(shown, risk, each), room, rows),
-        theme.text(),
-    );
+    let rungs = ladder(&shown.answer, risk.injury);
+    let left = usize::from(foot.area.height.saturating_sub(1 + LADDER_BELOW)).saturating_sub(2);
+    let near = nearest(&rungs, left.min(rungs.len()));
+    let drawn = if near.len() < FEWEST { 0 } else { near.len() as u16 + 2 };
+    let rows = usize::from(foot.area.height.saturating_sub(1 + drawn));
+    let said = whole_sentences(&explained(shown, risk, each), room, rows);
+    foot.put_lines((1, 1), &said, theme.text());
+    if drawn > 0 {
+        let foot = &mut foot.at(below(foot.area, 2 + said.len() as u16));
+        draw_ladder(near, risk.injury.measure().row(), foot);
+    }
+}
+
+/// So many rungs round that of the blow itself.
+fn nearest(rungs: &[Rung], count: usize) -> &[Rung] {
+    let own = rungs.iter().position(|rung| rung.objects.is_none()).unwrap_or_default();
+    let from = own.saturating_sub(count / 2).min(rungs.len() - count);
+    &rungs[from..from + count]
+}
+
+/// Draws what the tissue felt of this blow among known objects, a bar each.
+fn draw_ladder(rungs: &[Rung], measure: Row, sheet: &mut Sheet) {
+    let theme = sheet.theme;
+    let label = format!("{}, {}, beside usual blows", capital(measure.label), measure.unit);
+    sheet.put((1, 0), label, theme.heading());
+    let names = rungs.iter().filter_map(|rung| rung.objects.as_deref()).map(width);
+    let bar = 1 + names.max().unwrap_or_default() + FIGURE + 1;
+    let most = rungs.first().map_or(1.0, |rung| rung.felt);
+    let room = f64::from(sheet.area.width.saturating_sub(bar + 1));
+    for (y, rung) in (1..).zip(rungs) {
+        let own = rung.objects.is_none();
+        let style = if own { theme.focus() } else { theme.text() };
+        sheet.put((1, y), rung.objects.as_deref().unwrap_or("this blow"), style);
+        sheet.put_right((bar - 1, y), digits(rung.felt, 2), style);
+        let long = (room * rung.felt / most).round() as usize;
+        let style = if own { theme.strong() } else { theme.quiet() };
+        sheet.put((bar, y), if own { "█" } else { "▄" }.repeat(long.max(1)), style);
+    }
 }
 
 /// All that is said of an injury in sentences: what is believed, what to look for unless it is
 /// excluded, and what that rests on beside what stands in its `each` rows.
 fn explained(shown: &ShownAnswer, risk: &Risk, each: u16) -> Vec<String> {
     let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
-    if !risk.usable || risk.is_open() || risk.gravity() > 0 {
+    let not_excluded = !risk.usable || risk.is_open() || risk.gravity() > 0;
+    if risk.clinic.is_some() && not_excluded {
         said.extend(risk.injury.look_for().map(str::to_owned));
         let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
         said.extend(hours.map(|hours| format!("Most at {hours}.")));
     }
+    said.extend(between(&shown.answer, risk.injury).map(|text| capital(&text) + "."));
     let basis = basis(&shown.answer, risk).into_iter().skip(usize::from(each > 1));
     said.extend(basis.map(|text| capital(&text) + "."));
     said

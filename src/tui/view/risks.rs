@@ -275,7 +275,7 @@ pub fn draw_signs(sheet: &mut Sheet) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::injury::{Blow, Felt, assess};
+    use crate::injury::{Blow, Felt, PerInjury, assess};
     use crate::scenario::library::tests::preset;
 
     /// The risks of an object whose tissues felt so many times what hurts half of all eyes.
@@ -283,7 +283,7 @@ mod tests {
         let blow = Blow::of(&preset(name, &[]));
         let measures = blow.points.map(|point| times * libm::exp10(point.log));
         let felt = Felt { measures, errors: measures.map(|_| 0.0), way_in: None, weight: 1.0 };
-        Injury::ALL.iter().map(move |injury| assess(&blow, *injury, &[felt], false))
+        assess(&blow, &[felt], &PerInjury::default()).into_iter()
     }
 
     #[test]

@@ -26,7 +26,6 @@ const DRAWS: u32 = 300;
 /// What is chosen and not fitted: what tells kinds that were left out best of what was tried.
 pub const CHOICES: Choices = Choices {
     concentration: 20.0,
-    derived: 1.0,
     common_shift: 0.1,
     laboratory: 0.25,
     prior: 0.2,
@@ -107,7 +106,7 @@ pub fn fit<'a>(
 impl Fitted {
     /// A draw of the unknowns: the same number gives the same for good.
     pub fn draw(&self, number: u32) -> DVector<f64> {
-        let normal = DVector::from_fn(UNKNOWNS, |i, _| normal_draw(number, i));
+        let normal = DVector::from_fn(UNKNOWNS, |i, _| normal::draw(number, i as u32));
         &self.at + &self.root * normal
     }
 }
@@ -293,16 +292,10 @@ fn of_laboratory(number: u32) -> DVector<f64> {
     let mut at = Posterior::start(0.0);
     for (j, injury) in Injury::ALL.iter().enumerate() {
         let curve = injury.curve();
-        at[j] += curve.known * normal_draw(number, j);
+        at[j] += curve.known * normal::draw(number, j as u32);
         at[Injury::ALL.len() + j] = libm::log(curve.eyes);
     }
     at
-}
-
-/// A number of a standard normal distribution: the same for good.
-fn normal_draw(number: u32, dimension: usize) -> f64 {
-    let share = f64::from(sobol_burley::sample(number, dimension as u32, 1));
-    normal::quantile(share.clamp(1e-6, 1.0 - 1e-6))
 }
 
 #[cfg(test)]
@@ -313,8 +306,7 @@ mod tests {
 
     #[test]
     fn slopes_and_curvatures_are_those_of_the_density() {
-        let choices = Choices { derived: 0.5, ..CHOICES };
-        let posterior = Posterior::new(&stored(), fitted_rows(), choices);
+        let posterior = Posterior::new(&stored(), fitted_rows(), CHOICES);
         // Nowhere special.
         let at = Posterior::start(0.1).map_with_location(|i, _, x| x + 0.05 * libm::sin(i as f64));
         let (_, slope) = posterior.value(&at);

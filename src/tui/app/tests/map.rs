@@ -1,7 +1,7 @@
 //! What the map asks for, and what is done with what comes.
 
 use super::*;
-use crate::many::map::Spot;
+use crate::many::map::{PointResults, Spot};
 use crate::run::readings::PerQuantity;
 use crate::tui::screens::map::DrawMap;
 
@@ -19,7 +19,7 @@ fn fill(
     let known = PerQuantity::from_fn(|q| (q != Quantity::Pressure).then_some(10.0));
     let mut grid = question.known.clone();
     for at in grid.order().into_iter().skip(grid.known().0).take(count) {
-        grid.put(at, Spot::Known(known));
+        grid.put(at, Spot::Known(PointResults { values: known, ranges: None }));
     }
     tell::<DrawMap>(app, *ticket, grid, whole)
 }

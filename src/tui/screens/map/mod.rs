@@ -35,6 +35,7 @@ const KEYS: PaneKeys<Map> = PaneKeys::new("Map", &[
     bind(&[c('+'), c('=')], |s, m| s.zoom(&m.work.scenario, true), "range", "wider ranges"),
     bind(&[c('-')], |s, m| s.zoom(&m.work.scenario, false), "&", "narrower ranges"),
     bind(&[c('v')], |s, m| s.next_result(&m.work.scenario), "result", "the next result that the scene has"),
+    bind(&[c('e')], |s, _| s.upper = !s.upper, "upper end", "what is told of a risk, or the upper end of its range"),
 ]);
 
 const STOPPED_KEYS: PaneKeys<Map> =
@@ -150,13 +151,23 @@ pub struct Map {
     pub chosen: Option<Quantity>,
     /// Where the cursor stands on the finest grid.
     pub cursor: [usize; 2],
+    /// Whether the upper end of a risk is on show and not what is told.
+    pub upper: bool,
     reach: f64,
 }
 
 impl Default for Map {
     fn default() -> Self {
         let (cursor, reach) = ([SIDE / 2; 2], REACH);
-        Self { spans: None, done: None, task: Task::default(), chosen: None, cursor, reach }
+        Self {
+            spans: None,
+            done: None,
+            task: Task::default(),
+            chosen: None,
+            cursor,
+            upper: false,
+            reach,
+        }
     }
 }
 
@@ -327,7 +338,7 @@ impl Map {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::many::map::Spot;
+    use crate::many::map::{PointResults, Spot};
     use crate::run::readings::PerQuantity;
 
     fn settled() -> (Scenario, Map) {
@@ -399,7 +410,10 @@ mod tests {
         let damage = |q| (q == Quantity::Damage).then_some(1.0);
         let mut grid = question.known.clone();
         for at in grid.order().into_iter().take(81) {
-            grid.put(at, Spot::Known(PerQuantity::from_fn(damage)));
+            grid.put(
+                at,
+                Spot::Known(PointResults { values: PerQuantity::from_fn(damage), ranges: None }),
+            );
         }
         map.done = Some((question.scenario, question.spans, grid));
         map.cursor = [4, 12];

@@ -10,14 +10,13 @@ use std::collections::BTreeSet;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
-use crate::answer::directions::other_scenarios;
-use crate::injury::{Blow, Felt, Injury, PerInjury, Share, assess, whole as whole_percent};
+use crate::injury::{span, whole as whole_percent};
 use crate::many::map::{Grid, MapReading, SIDE, Span};
 use crate::report::figure::{with_unit, within};
 use crate::report::format::{capital, significant};
 use crate::report::{picture::Part, picture::field::step};
 use crate::run::quantity::Quantity;
-use crate::scenario::{doubt::number, problem::plain, set::put_number};
+use crate::scenario::{doubt::number, problem::plain};
 use crate::tui::screens::map::{Map, rounded};
 use crate::tui::screens::screen::state_of_work;
 use crate::tui::view::sheet::{Sheet, along};
@@ -49,7 +48,8 @@ pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     let of = grid.map_or(Quantity::Damage, |grid| map.quantity(grid));
     let whole = whole(grid, of);
     let over = format!("{} across, {} up", x.field.label, y.field.label);
-    let (label, short) = (capital(of.label()), capital(of.row().short));
+    let at_most = if map.upper && of.is_risk() { "upper end of " } else { "" };
+    let [label, short] = [of.label(), of.row().short].map(|of| capital(&format!("{at_most}{of}")));
     let titles = [
         format!("What if? {label}: {over}"),
         format!("What if? {short}: {over}"),
@@ -73,7 +73,7 @@ pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     axes(spans, field, sheet);
     let mut drawn = BTreeSet::new();
     if let Some(grid) = grid {
-        let cells = Cells { grid, of, whole, field };
+        let cells = Cells { grid, of, whole, field, upper: map.upper };
         for at in field.positions().map(|at| (at.x - field.x, at.y - field.y)) {
             let (sign, style) = cells.drawn(at, theme);
             sheet.at(field).put(at, sign, style);
@@ -135,13 +135,17 @@ struct Cells<'a> {
     of: Quantity,
     whole: f64,
     field: Rect,
+    /// Whether the upper end of a risk is drawn.
+    upper: bool,
 }
 
 impl Cells<'_> {
     fn reading(&self, (column, row): (u16, u16)) -> Option<MapReading> {
         let x = f64::from(column) / f64::from(self.field.width - 1);
         let y = 1.0 - f64::from(row) / f64::from(self.field.height - 1);
-        self.grid.read(self.of, (x, y))
+        let reading = self.grid.read(self.of, (x, y))?;
+        let value = reading.range.filter(|_| self.upper).map_or(reading.value, |r| Some(r.1));
+        Some(MapReading { value, ..reading })
     }
 
     /// The share of the whole scale at a cell.
@@ -232,26 +236,6 @@ fn axes([x, y]: [Span; 2], field: Rect, sheet: &mut Sheet) {
     sheet.put_right((LABELS, 2), y.field.unit, theme.quiet());
 }
 
-/// The risk under the cursor of eyes hit so, with what a map may be off by; none where that is a
-/// mean over directions, which a map keeps nothing of.
-fn risk_there(map: &Map, grid: &Grid, of: Quantity, model: &AppModel) -> Option<Share> {
-    let injury = Injury::of(of)?;
-    let mut there = model.work.scenario.clone();
-    for (span, value) in map.inputs()? {
-        put_number(&mut there, span.field, value);
-    }
-    let blow = Blow::of_tissues(&there).filter(|_| other_scenarios(&there).is_empty())?;
-    let mut measures = PerInjury::default();
-    for (felt, injury) in measures.iter_mut().zip(Injury::ALL) {
-        let measure = injury.measure();
-        let reading = grid.read(measure, map.place()).filter(|felt| !felt.folded)?;
-        *felt = reading.value? / measure.row().factor;
-    }
-    let errors = PerInjury::default().map(|_: f64| 0.01 * MAPPED);
-    let felt = Felt { measures, errors, way_in: blow.way_in, weight: 1.0 };
-    Some(assess(&blow, injury, &[felt], false).hit)
-}
-
 /// What is known under the cursor.
 fn reading(map: &Map, model: &AppModel) -> String {
     let Some(inputs) = map.inputs() else { return String::new() };
@@ -265,8 +249,8 @@ fn reading(map: &Map, model: &AppModel) -> String {
         if row.risk && !reading.folded {
             // The points around it tell no more than where it about lies.
             let rough = if reading.exact { "" } else { ", between points that were computed" };
-            let there = risk_there(map, grid, of, model);
-            let range = there.map_or_else(String::new, |share| format!(" ({})", share.range()));
+            let range = reading.range.map(|(low, high)| span((0.01 * low, 0.01 * high)));
+            let range = range.map_or_else(String::new, |range| format!(" ({range})"));
             let told = whole_percent(0.01 * value);
             return Some(format!("{}: {told} of eyes hit so{range}{rough}", row.label));
         }
