@@ -29,8 +29,8 @@ use crate::models::spatial::forces::math::{
     Math, Plain, Three, by_component, cross, dot, eight, minus, plus, times,
 };
 
-/// How many times the stiffness of a crushed cell counts for the step: once is stable, but what rings
-/// at the bound has its energy missed.
+/// How many times the stiffness of a crushed cell counts for the step: once is stable, but what
+/// rings at the bound has its energy missed.
 const STIFF: f64 = 1.5;
 
 /// What is constant of a cell.

@@ -22,9 +22,9 @@ pub(crate) const AFTER: f64 = 1.5e-3;
 const WORTH: f64 = 0.01;
 /// The share of the energy that it brought below which an object's flight can reach nothing.
 const SPENT: f64 = 1e-3;
-/// Measures that any end waits for, and with lens, iris and the object's way in all of them.
+/// Measures that any end waits for, and with lens and iris all of them.
 const WAITED_FOR: usize = 7;
-const ALL: usize = WAITED_FOR + 3;
+const ALL: usize = WAITED_FOR + 2;
 
 /// What the end of a run depends on.
 pub(crate) struct Ending {
@@ -70,7 +70,6 @@ impl Ending {
             common.energy_given.value,
             sum(&sectors.lens),
             sum(&sectors.iris),
-            common.intrusion.value,
         ];
         for (i, (told, now)) in self.told.iter_mut().zip(now).enumerate() {
             if now > (1.0 + WORTH) * *told {

@@ -8,8 +8,8 @@
 //!   1/h^2 = 1/(1.7 h_0)^2 + most over nodes of [sum over cells of m_e (1/h_e^2 - 1/h_0^2) + K/4]/m
 //!
 //! with h_0 the least bound of any cell at rest, and of the first sum only what is above 0. The
-//! first term is the mesh without what is crushed: its largest eigenvalue allows 2.5 h_0 at rest and
-//! more than 1.7 h_0 in every blow that was looked at. So a few crushed cells, whose nodes have
+//! first term is the mesh without what is crushed: its largest eigenvalue allows 2.5 h_0 at rest
+//! and more than 1.7 h_0 in every blow that was looked at. So a few crushed cells, whose nodes have
 //! other cells' mass as well, shorten the step by far less than their own bounds would.
 
 use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
