@@ -216,6 +216,10 @@ pub struct BallSpring {
     pub restitution: f64,
 }
 
+/// How fast depth grows from the back of a ball that gives way: so fast that straight on, where
+/// nothing closes behind it, hardly a place knows.
+const BACK: f64 = 3.0;
+
 /// What hits the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Object {
@@ -283,8 +287,8 @@ impl Object {
                 let slope = r / behind;
                 let gap = 2.0 * radius - behind - r * slope;
                 // What closes around it comes in at its back from nothing on.
-                if gap > behind {
-                    return (behind, -1.0, 0.0);
+                if gap > BACK * behind {
+                    return (BACK * behind, -BACK, 0.0);
                 }
                 (gap, 1.0 - slope * slope, 2.0 * slope)
             }
