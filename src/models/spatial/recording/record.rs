@@ -49,8 +49,9 @@ impl Recorded for Motion<'_> {
             e.crushed_at.get_or_insert(time);
         }
         self.account.stress = stress;
-        let on_bone = now.push.is_some_and(|push| push.force != Vector3::zeros());
-        self.ending.touches(now.touch.force != Vector3::zeros(), on_bone, time);
+        if now.touch.force != Vector3::zeros() {
+            self.ending.touched(time);
+        }
         let moving = &self.flying.moving;
         let energy = moving.energy(kick, now.touch.loss);
         let between = (now.touch.energy, now.push.map_or(0.0, |push| push.energy));

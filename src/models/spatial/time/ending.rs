@@ -8,8 +8,7 @@
 //! * when the object is clear of the eye and does not come, that time is over, and nothing else
 //!   that is read has grown by more than [`WORTH`] for a swing of the eye; or
 //! * when the object, still at the eye, has no flight left that could reach it, and nothing that is
-//!   read has grown for a swing, for a swing of the globe in its fat where bone was met. So ends
-//!   what lies in the orbit or draws back slowly.
+//!   read has grown for [`LYING`] swings. So ends what lies in the orbit or draws back slowly.
 //!
 //! Both are rules, not proofs: tests run random blows on to three times as long.
 
@@ -22,6 +21,8 @@ pub(crate) const AFTER: f64 = 1.5e-3;
 const WORTH: f64 = 0.01;
 /// The share of the energy that it brought below which an object's flight can reach nothing.
 const SPENT: f64 = 1e-3;
+/// How many swings a run goes on after the last growth while the object lies at the eye.
+const LYING: f64 = 2.5;
 /// Measures that any end waits for, and with lens and iris all of them.
 const WAITED_FOR: usize = 7;
 const ALL: usize = WAITED_FOR + 2;
@@ -29,9 +30,8 @@ const ALL: usize = WAITED_FOR + 2;
 /// What the end of a run depends on.
 pub(crate) struct Ending {
     last_touch: f64,
-    /// The slowest swing of the eye, and that of the globe in what holds it, s.
-    swings: [f64; 2],
-    bone_met: bool,
+    /// The slowest swing of the eye, s.
+    swing: f64,
     /// What each measure was when it last grew by so much that it is worth telling.
     told: [f64; ALL],
     /// When any did, of those that all wait for and of all, s.
@@ -39,16 +39,13 @@ pub(crate) struct Ending {
 }
 
 impl Ending {
-    pub fn new(swings: [f64; 2]) -> Self {
-        Self { last_touch: 0.0, swings, bone_met: false, told: [0.0; ALL], grown: [0.0; 2] }
+    pub fn new(swing: f64) -> Self {
+        Self { last_touch: 0.0, swing, told: [0.0; ALL], grown: [0.0; 2] }
     }
 
-    /// Takes what the object touches at `time`, s.
-    pub fn touches(&mut self, eye: bool, bone: bool, time: f64) {
-        if eye {
-            self.last_touch = time;
-        }
-        self.bone_met |= bone;
+    /// The object touches the eye at `time`, s.
+    pub fn touched(&mut self, time: f64) {
+        self.last_touch = time;
     }
 
     /// Whether lens and iris are still read.
@@ -86,10 +83,9 @@ impl Ending {
     /// much energy left, as a share of what it brought, with which it comes nearer.
     pub fn is_reached(&self, clear: bool, comes_with: f64, time: f64) -> bool {
         if clear {
-            !self.reads_pulls(time) && time >= self.grown[0] + self.swings[0]
+            !self.reads_pulls(time) && time >= self.grown[0] + self.swing
         } else {
-            let swing = self.swings[usize::from(self.bone_met)];
-            comes_with < SPENT && time >= self.grown[1] + swing
+            comes_with < SPENT && time >= self.grown[1] + LYING * self.swing
         }
     }
 }

@@ -12,7 +12,6 @@
 //! and more than 1.7 h_0 in every blow that was looked at. So a few crushed cells, whose nodes have
 //! other cells' mass as well, shorten the step by far less than their own bounds would.
 
-use crate::models::axisymmetric::eye::parameters::{Parameters, Surround};
 use crate::models::axisymmetric::forces::object::{Object, ObjectOutline};
 use crate::models::axisymmetric::time::march::{
     Bounds, CellLoop, GONE, Marching, NARROW, Steps, Stop, Take,
@@ -118,14 +117,6 @@ pub fn run_through(
     run.map(|_| ())
 }
 
-/// How long the globe takes to come back once what holds it lets it go, in s: half of the swing of
-/// a sphere's mass on an incompressible medium of shear modulus G, which holds it at 6 pi G R per
-/// distance (Oestreicher 1951, slow and without its wave).
-fn return_on_fat(p: &Parameters, around: &Surround) -> f64 {
-    let mass = p.vitreous.density * 4.0 / 3.0 * PI * p.radius.powi(3);
-    PI * (mass / (6.0 * PI * around.material.shear * p.radius)).sqrt()
-}
-
 /// What flies at the eye.
 pub(crate) struct Flying {
     pub object: Object,
@@ -225,8 +216,6 @@ impl<'a> Motion<'a> {
         let globe_volume = at_rest.volume;
         let stiffness: f64 = eye.quads.iter().map(|q| q.modulus * q.thickness).sum();
         let swing = slowest_swing(&eye.parameters, stiffness / eye.quads.len() as f64);
-        let around = eye.parameters.surround.as_ref();
-        let in_fat = around.map_or(swing, |fat| swing.max(return_on_fat(&eye.parameters, fat)));
         let (brought, size) = (flying.moving.kinetic(0.0), (globe_volume, eye.cells.len()));
         let entry = touches(ObjectOutline::Sphere(0.0), line, Vector3::zeros(), radius);
         let entry = entry.map_or(-way, |along| (passes + way * along).normalize());
@@ -250,7 +239,7 @@ impl<'a> Motion<'a> {
             way,
             up: blow.up,
             account: Account::new((window, keep), swing, brought, size),
-            ending: Ending::new([swing, in_fat]),
+            ending: Ending::new(swing),
             flying,
             tension_passed: vec![LowPass::default(); eye.quads.len()],
             at_bone: 0.0,
