@@ -1,20 +1,23 @@
 //! One run among many: results and flags without traces.
 //!
 //! A [`single`] run makes no second run. A [`checked`] one states its step error as answers do and
-//! shortens its step until that is within [`promise_percent`]. A [`compared`] one is set beside a
-//! run of twice as many steps, whose error is a sixteenth at fourth order: the difference is the
-//! error itself, without a safety factor. No step helps once the mesh has folded.
+//! shortens its step until that of the leading results is within [`promise_percent`]. A
+//! [`compared`] one is set beside a run of twice as many steps, whose error is 2^-p of its own at
+//! order p: with d the difference, its own is s d/(1 - 2^-p). At fourth order d is the error itself
+//! and s is 1; eyes of cells have p = 1 and an s of their own. What is stated is the largest error
+//! of all results, those that only an injury is read from included. No step helps once the mesh has
+//! folded.
 //!
 //! The automatic step, a share of the stability limit, is too short in a stiff eye and too long for
 //! the edges of a pulse in a soft one. So a run among many may take up to 0.95 of the limit, but no
 //! more than a cap, which comes from the comparisons of a few runs.
 
 use crate::answer::directions::other_directions;
-use crate::answer::{compiled::Compiled, results::Results, solve::solve_by};
+use crate::answer::{compiled::Compiled, results::Results, solve::Answer, solve::solve_by};
 use crate::injury::{Felt, Injury, PerInjury, hit, told};
 use crate::run::rules::{LONGEST_SHARE, next_share, share_for};
-use crate::run::{flags::FlagKind, kept::Keep, model::Run, plan::Plan, raised::of_motion};
-use crate::run::{refusal::Refusal, watch::Watch};
+use crate::run::{flags::FlagKind, flags::FlagKinds, kept::Keep, model::Run, plan::Plan};
+use crate::run::{raised::of_motion, refusal::Refusal, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario};
 
 /// How often a step is shortened, each time at most to a half.
@@ -31,7 +34,7 @@ pub struct BriefAnswer {
     /// Every result.
     pub values: Results,
     /// What limits them; flags that need the step error only where it was checked.
-    pub flags: Vec<FlagKind>,
+    pub flags: FlagKinds,
     /// The step error, where it was checked.
     pub check: Option<Check>,
     /// The 80 % range of each risk, 0 to 1, with the step error that was found, or else promised.
@@ -41,25 +44,29 @@ pub struct BriefAnswer {
 /// What a check of the step error found, in %.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
-    /// The error at the step that was tried first.
+    /// The largest error of a result at the step that was tried first.
     pub first: f64,
-    /// The error at the step that was taken in the end.
+    /// The largest error of a result at the step that was taken in the end.
     pub last: f64,
+    /// The same of those that lead, which the promise is of.
+    pub leading: f64,
+    /// Whether a leading result missed the promise at first, so that the step was shortened.
+    pub missed: bool,
     /// The step that was tried first, in s.
     pub tried: f64,
-    /// The step, in s, at which the first error would just be the promised one.
+    /// The step, in s, at which the first error of leading results would just be the promised one.
     pub good_step: f64,
 }
 
 impl BriefAnswer {
     /// Whether the mesh folded, so that the values are beyond the model's validity.
     pub fn folded(&self) -> bool {
-        self.flags.contains(&FlagKind::MeshFolded)
+        self.flags.contains(FlagKind::MeshFolded)
     }
 
     /// Whether the eye was pressed flat, of which no error is stated.
     pub fn pressed_flat(&self) -> bool {
-        self.flags.contains(&FlagKind::EyeFlat)
+        self.flags.contains(FlagKind::EyeFlat)
     }
 }
 
@@ -77,7 +84,7 @@ fn brief(case: &Compiled, run: &Run) -> BriefAnswer {
 fn plan(scenario: &Scenario, case: &Compiled, cap: Option<f64>) -> Result<Plan, Refusal> {
     let mut plan = case.plan(scenario)?;
     if let (Some(cap), None) = (cap, scenario.numerics.step_us)
-        && !plan.integrator.method().adaptive()
+        && !plan.integrator.chooses_its_steps()
         && case.rules().may_lengthen
     {
         plan.step = cap.min(LONGEST_SHARE * case.step_limit(plan.integrator));
@@ -127,28 +134,34 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
     let promise = case.rules().promise_percent;
     let mut plan = case.plan(scenario)?;
     let mut answer = solve_by(case, plan, watch)?;
-    let first = answer.errors.time_step.headline();
-    let tried = plan.step;
-    let good_step = plan.step * shortening(&plan, promise, first);
+    let stated = |answer: &Answer| {
+        let worst = answer.errors.time_step.worst_listed(&answer.results());
+        worst.map_or(0.0, |(_, error)| error)
+    };
+    let leading = |answer: &Answer| answer.errors.time_step.headline();
+    let (first, at_first, tried) = (stated(&answer), leading(&answer), plan.step);
+    let order = answer.case.order(plan.integrator);
+    let (missed, good_step) = (at_first > promise, tried * share_for(promise, at_first, order));
     if scenario.numerics.step_us.is_none() {
         for _ in 0..MAX_ATTEMPTS {
-            let error = answer.errors.time_step.headline();
+            let error = leading(&answer);
             if error <= promise || answer.run.folded_at().is_some() {
                 break;
             }
-            plan.step *= next_share(promise, error, plan.integrator.method().order);
+            plan.step *= next_share(promise, error, order);
             answer = solve_by(answer.case, plan, watch)?;
         }
     }
     answer.others = other_directions(scenario, watch)?;
     let range = |injury: &Injury| Some(answer.risk(*injury)?.hit.ends());
     let ranges: Option<Vec<(f64, f64)>> = Injury::ALL.iter().map(range).collect();
-    let stated = answer.errors.time_step_percent();
+    let is_known = answer.errors.time_step_percent().is_some();
+    let (last, leading) = (stated(&answer), leading(&answer));
     Ok(BriefAnswer {
         ranges: ranges.and_then(|ranges| ranges.try_into().ok()),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
-        check: stated.map(|last| Check { first, last, tried, good_step }),
+        check: is_known.then_some(Check { first, last, leading, missed, tried, good_step }),
     })
 }
 
@@ -166,15 +179,23 @@ pub fn compared(
     let promise = case.rules().promise_percent;
     let mut run = |plan: &Plan| case.run(plan, Keep::default(), &mut *watch);
     let mut coarse = run(&plan)?;
+    let order = case.order(plan.integrator);
+    let factor = case.rules().estimate.doubled_safety / (1.0 - 0.5_f64.powi(order));
+    let (family, share) = case.rules().estimate.family;
     let mut first = None;
     for attempt in 0.. {
         plan.multiple *= 2.0;
         plan.local_tolerance *= 0.1;
         let fine = run(&plan)?;
-        let difference = case.results(&coarse).difference_percent(&case.results(&fine));
-        let error = difference.headline();
-        let first = *first.get_or_insert(error);
-        let done = error <= promise
+        let results = case.results(&coarse);
+        let errors = results
+            .difference_percent(&case.results(&fine))
+            .map(|_, difference| difference.map(|d| factor * d))
+            .raised(family, share);
+        let last = errors.worst_listed(&results).map_or(0.0, |(_, error)| error);
+        let leading = errors.headline();
+        let (first, at_first) = *first.get_or_insert((last, leading));
+        let done = leading <= promise
             || coarse.folded_at().is_some()
             || scenario.numerics.step_us.is_some()
             || attempt == MAX_ATTEMPTS;
@@ -182,20 +203,17 @@ pub fn compared(
             let mut answer = brief(&case, &coarse);
             answer.check = (!answer.pressed_flat()).then(|| Check {
                 first,
+                last,
+                leading,
+                missed: at_first > promise,
                 tried: plan.step,
-                last: error,
-                good_step: plan.step * shortening(&plan, promise, first),
+                good_step: plan.step * share_for(promise, at_first, order),
             });
             return Ok(answer);
         }
         coarse = fine;
     }
     unreachable!("the last attempt is always taken")
-}
-
-/// The factor on the step that brings a step error to `promise`, both in %.
-fn shortening(plan: &Plan, promise: f64, error: f64) -> f64 {
-    share_for(promise, error, plan.integrator.method().order)
 }
 
 #[cfg(test)]

@@ -5,7 +5,9 @@ pub mod choose;
 pub mod compiled;
 pub mod directions;
 pub mod mesh_error;
-pub mod results;
 pub mod solve;
 pub mod uncertain;
 pub mod validity;
+
+/// What answers, like everything above, are told in.
+pub use crate::run::results;

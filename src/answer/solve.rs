@@ -49,6 +49,9 @@ impl Errors {
     }
 }
 
+/// The share of what hurts half of all eyes below which no injury hangs on what a tissue felt.
+const OF_NO_ACCOUNT: f64 = 0.1;
+
 /// What a run that ended too early says of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cut {
@@ -299,7 +302,9 @@ pub(crate) fn solve_case(
 fn shorter(case: &Compiled, plan: &Plan, solved: &Measured) -> Option<f64> {
     let error = solved.errors.time_step.headline();
     let rule = &case.rules().refinement;
-    if has(&solved.run.flags, FlagKind::EyeFlat) {
+    // Of a blow that is not over where time runs out no step makes more than a lower bound.
+    if [FlagKind::EyeFlat, FlagKind::WindowCapped].iter().any(|kind| has(&solved.run.flags, *kind))
+    {
         None
     } else if solved.errors.energy_balance > rule.balance_percent {
         Some(0.5)
@@ -370,6 +375,21 @@ fn measured(case: &Compiled, plan: &Plan, keep: Keep, watch: Watch) -> Result<Me
     Ok(Measured { run, errors, disagreement, time, total_time: started.elapsed() })
 }
 
+/// The largest step error, in %, but for what a tissue felt that is, with its error, less than a
+/// tenth of what hurts half of all eyes: no injury hangs on it.
+fn worst_of_account(case: &Compiled, run: &Run, errors: &Results) -> Option<(Quantity, f64)> {
+    let results = case.results(run);
+    let half = |of: Quantity| {
+        let injury = Injury::ALL.iter().find(|injury| injury.measure() == of)?;
+        Some(libm::exp10(case.blow.as_ref()?.point(*injury).log) * of.row().factor)
+    };
+    let idle = |of: Quantity, error: f64| {
+        let felt = half(of).zip(results[of]);
+        felt.is_some_and(|(half, felt)| felt * (1.0 + 1e-2 * error) < OF_NO_ACCOUNT * half)
+    };
+    errors.map(|of, error| error.filter(|error| !idle(of, *error))).worst_listed(&results)
+}
+
 fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
     let Measured { mut run, mut errors, disagreement, time, total_time } = solved;
     if has(&run.flags, FlagKind::EyeFlat) {
@@ -379,7 +399,7 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         errors.limits = Some(Limits::default());
     }
     let two_runs =
-        TwoRuns { worst: errors.time_step.worst_listed(&case.results(&run)), disagreement };
+        TwoRuns { worst: worst_of_account(&case, &run, &errors.time_step), disagreement };
     let mut flags = of_motion(&run, case.rules().element, Some(two_runs));
     flags.append(&mut run.flags);
     Answer {
@@ -428,6 +448,45 @@ pub(crate) mod tests {
         assert!(paper.at_least(Quantity::MeridianGrowth) && paper.at_least(Quantity::Damage));
         assert!(!paper.at_least(Quantity::ForceTop));
         assert!(of("0.1", "paper-300n").at_least(Quantity::ForceTop), "the pulse is cut");
+    }
+
+    #[test]
+    fn an_error_of_what_hurts_nobody_is_of_no_account() {
+        let bb = |speed| answered(&preset("bb-56", &[("speed", speed), ("window_ms", "0.5")]));
+        let worst = |answer: &Answer, error| {
+            let mut errors = Results::default();
+            errors[Quantity::Contact] = Some(1.0);
+            errors[Quantity::EquatorStretch] = Some(error);
+            worst_of_account(&answer.case, &answer.run, &errors)
+        };
+        let (slow, fast) = (bb("2"), bb("56"));
+        assert_eq!(worst(&slow, 30.0), Some((Quantity::Contact, 1.0)));
+        assert_eq!(
+            worst(&slow, 1e12),
+            Some((Quantity::EquatorStretch, 1e12)),
+            "it may be anything"
+        );
+        assert!(worst(&slow, f64::NAN).is_some_and(|(of, _)| of == Quantity::EquatorStretch));
+        assert_eq!(worst(&fast, 30.0), Some((Quantity::EquatorStretch, 30.0)));
+    }
+
+    #[test]
+    fn a_run_that_met_its_cap_is_not_run_again() {
+        let case = Compiled::new(&preset("bb-56", &[]).check().unwrap());
+        let plan = case.plan(&preset("bb-56", &[])).unwrap();
+        let after = |flags: Vec<Flag>| {
+            let mut time_step = Results::default();
+            time_step[Quantity::Contact] = Some(50.0);
+            let errors = Errors { time_step, mesh: None, limits: None, energy_balance: 2.0 };
+            let run = Run { flags, ..Run::default() };
+            let (time, total_time) = (Duration::ZERO, Duration::ZERO);
+            let solved = Measured { run, errors, disagreement: 50.0, time, total_time };
+            shorter(&case, &plan, &solved)
+        };
+        let flag = |kind| vec![Flag::new(kind, "", None)];
+        assert_eq!(after(Vec::new()), Some(0.5));
+        assert_eq!(after(flag(FlagKind::RimStops)), Some(0.5));
+        assert_eq!(after(flag(FlagKind::WindowCapped)), None);
     }
 
     #[test]

@@ -151,12 +151,14 @@ impl UncertainInput {
         !is_clock(self.field)
             && (self.nominal < self.value(0.05) || self.nominal > self.value(0.95))
     }
+}
 
-    /// Puts a value into a scenario.
-    pub fn put(&self, scenario: &mut Scenario, value: f64) {
-        let value = if is_clock(self.field) { value.rem_euclid(HOURS) } else { value };
-        set::put_number(scenario, self.field, value);
-    }
+/// Puts a value of each input into a scenario.
+pub fn put(scenario: &mut Scenario, inputs: &[UncertainInput], values: &[f64]) {
+    let hour = |value: f64| value.rem_euclid(HOURS);
+    let value = |field: &Field, value| if is_clock(field) { hour(value) } else { value };
+    let numbers = inputs.iter().zip(values).map(|(input, drawn)| (input.field, *drawn));
+    set::put_numbers(scenario, numbers.map(|(field, drawn)| (field, value(field, drawn))));
 }
 
 /// Standard deviations, not measured, of an object's angle, in degrees, and where it hits, in mm.

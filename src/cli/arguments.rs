@@ -15,7 +15,8 @@ use crate::many::threshold::usual;
 use crate::plain_text::{self, printable, quoted};
 use crate::scenario::{CheckedScenario, Impact, Integrator, Scenario, fields::LONGEST_NAME};
 use crate::scenario::{library::resolve, load::read_text, locate::locate, problem::Problem};
-use crate::scenario::{problem::ScenarioError, set::full_path, set::model_first, set::set};
+use crate::scenario::{problem::ScenarioError, set::full_path, set::in_order};
+use crate::scenario::{set::set_one_of_several, set::settle};
 
 /// What to simulate: a preset or a file, and changes to it.
 #[derive(Debug, Args)]
@@ -58,8 +59,8 @@ pub struct Changes {
 
 fn integrators() -> String {
     let mut text = "Integrator; short for `--set numerics.integrator=NAME`\n".to_owned();
-    for method in Integrator::ALL.iter().map(|integrator| integrator.method()) {
-        let (name, about, order) = (method.name, method.about, method.order);
+    for method in Integrator::ALL {
+        let (name, about, order) = (method.name(), method.about(), method.order());
         let each = method.evaluations();
         let line = format!("{name}: {about} Order {order}; force evaluations a step: {each}.");
         text.extend(["\n- ", &line]);
@@ -124,7 +125,7 @@ impl Changes {
         });
         let before = discriminant(&scenario.impact);
         let mut asked: Vec<(String, &str, &str)> = set.chain(own).collect();
-        model_first(&scenario, &mut asked, |(_, path, _)| path);
+        in_order(&scenario, &mut asked, |(_, path, _)| path);
         let mut changes = Vec::new();
         for (flag, path, text) in &asked {
             let (full, before) = (full_path(&scenario, path), scenario.name.clone());
@@ -137,6 +138,7 @@ impl Changes {
         for (flag, path, text) in self.short() {
             assign(&mut scenario, &format!("{flag} {text}"), path, text)?;
         }
+        settle(&mut scenario);
         // The file by itself was sound, so what is wrong now comes from the flags together.
         let changed = format!("{source}, as the flags change it, cannot be computed");
         let scenario = scenario.check().map_err(|error| complaint(&changed, "", &error))?;
@@ -193,7 +195,7 @@ fn with_changes(name: &str, changes: &[(&str, &str)]) -> String {
 }
 
 fn assign(scenario: &mut Scenario, flag: &str, path: &str, text: &str) -> Result<(), CliError> {
-    set(scenario, path, text).map_err(|error| complaint(flag, path, &error))
+    set_one_of_several(scenario, path, text).map_err(|error| complaint(flag, path, &error))
 }
 
 /// Led by the flag; the flag names its own field already.

@@ -13,6 +13,7 @@ mod generate;
 mod guide;
 mod interrupt;
 mod many;
+mod output;
 mod presets;
 mod progress;
 mod run;
@@ -28,7 +29,7 @@ use clap::{Args, Parser, Subcommand};
 use serde::Serialize;
 
 use crate::cli::arguments::{ScenarioArgs, ScenariosArgs, whole};
-use crate::cli::{error::CliError, sweep::Shard};
+use crate::cli::{error::CliError, output::Output, sweep::Shard};
 use crate::many::{ensemble::FEWEST_SAMPLES, ensemble::MAX_SAMPLES, sweep::SweepAxis};
 use crate::models::kernel_name;
 use crate::plain_text::{printable_path, write_json};
@@ -303,7 +304,10 @@ pub fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => {
             let code = u8::try_from(error.exit_code()).unwrap_or(2);
+            let is_help = !error.use_stderr();
             return match arguments::explain(error) {
+                // What was asked for is lost.
+                Ok(()) if is_help && output::is_closed() => ExitCode::FAILURE,
                 // Nobody is left to hear about a closed pipe.
                 Err(failed) if failed.kind() != io::ErrorKind::BrokenPipe => ExitCode::FAILURE,
                 _ => ExitCode::from(code),
@@ -328,7 +332,7 @@ pub fn main() -> ExitCode {
 
 fn answer(command: &Command) -> Result<(), CliError> {
     interrupt::outlive_file_limit()?;
-    let out = &mut BufWriter::new(io::stdout());
+    let out = &mut BufWriter::new(Output::open());
     match command {
         // The app has been run already.
         Command::Tui(_) => Ok(()),

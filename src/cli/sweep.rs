@@ -10,9 +10,9 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::cli::{CliError, SweepArgs, arguments::complaints, interrupt, progress::shown};
-use crate::many::sweep::Sweep;
+use crate::many::{falling::FallingRows, sweep::Sweep};
 use crate::plain_text::{printable_path, quoted};
-use crate::report::sweep::SweepFormat;
+use crate::report::{self, sweep::SweepFormat};
 use crate::run::{ordered, watch::stop_if};
 
 /// No row is longer, in bytes.
@@ -81,16 +81,22 @@ fn work(
 ) -> Result<(), CliError> {
     let stop = interrupt::flag()?;
     let (mut written, mut outcome) = (done, Ok(()));
+    let mut falling = FallingRows::new(sweep);
     shown(|progress| {
         let job = |at: usize| sweep.run(rows[at], &mut ordered::until(&stop));
         ordered::run((done, rows.len()), &stop, job, |_, row| {
             outcome = write(&form.row(sweep, &row));
+            falling.take(&row);
             written += usize::from(outcome.is_ok());
             progress.count("rows", written, rows.len());
             stop_if(outcome.is_err())
         });
     });
     outcome?;
+    if let Some(said) = report::sweep::falling(&falling) {
+        // Nobody is hurt if it is lost.
+        let _ = writeln!(io::stderr(), "{said}");
+    }
     if written < rows.len() {
         return Err(CliError::Interrupted(format!(
             "interrupted: {written} of {} rows done; the same command with --out goes on from there",

@@ -33,7 +33,7 @@ topics! {
     glossary = "glossary", accuracy = "accuracy", hard_cases = "hard-cases",
     evidence = "evidence", injury = "injury", outcomes = "outcomes",
     look_for = "look-for", doubt = "doubt", sweeps = "sweeps",
-    report = "report", speed = "speed", symbols = "symbols",
+    report = "report", json = "json", speed = "speed", symbols = "symbols",
 }
 
 /// Whether a line of a page is of use on this system: only a shell of Unix can stop the app and go

@@ -2,9 +2,11 @@
 //!
 //! With L the object's point of 50 % (log10, known to s) and eyes that differ by sigma, an eye
 //! whose tissue felt m is hurt with z = (log10 m - L)/sigma: told is Phi(z/sqrt(1 + s^2/sigma^2)),
-//! its 80 % range Phi((log10 m -+ 1.28 s - L)/sigma). To s come, in quadrature, the error of the
-//! step and what the person doubts of the object. Of a globe it is 1 - (1 - that) (1 - the chance
-//! of a way in). Where a blow may come from several directions all are means over them.
+//! its 80 % range Phi((log10 m -+ 1.28 s - L)/sigma); where that lies all to one side of what is
+//! told, the range of the same 80 % that begins, or ends, half as far out as what is told. To s
+//! come, in quadrature, the error of the step and what the person doubts of the object. Of a globe
+//! it is 1 - (1 - that) (1 - the chance of a way in). Where a blow may come from several directions
+//! all are means over them.
 //!
 //! Of those who come to a clinic after such a blow the share follows [`crate::injury::clinic`]. It
 //! hangs on all injuries at once, so it is the mean, and its range the middle 80 %, over draws of
@@ -22,8 +24,11 @@ use crate::normal;
 use libm::{hypot, log10};
 use std::sync::LazyLock;
 
-/// One in ten lies farther out than so many standard deviations, to each side.
-const ONE_IN_TEN: f64 = 1.281_551_565_544_600_8;
+/// The share of what it may be that a range holds.
+const HELD: f64 = 0.8;
+/// Standard deviations out to which what is told is looked for, and how often that is halved.
+const FARTHEST: f64 = 8.0;
+const HALVINGS: u32 = 40;
 /// Laboratories and clinics differ where one tells more than so many times the other.
 const DIFFER: f64 = 3.0;
 /// Below this share a difference is of no account.
@@ -57,9 +62,9 @@ pub struct Felt {
 pub struct Share {
     /// The middle of what is believed.
     pub told: f64,
-    /// One in ten is less.
+    /// One in ten is less, or fewer where that would leave out what is told.
     pub low: f64,
-    /// One in ten is more.
+    /// One in ten is more, or fewer.
     pub high: f64,
 }
 
@@ -89,9 +94,10 @@ pub struct Risk {
 /// Which part of what is believed is asked for.
 #[derive(Clone, Copy)]
 enum Part {
+    /// The middle.
     Told,
-    Low,
-    High,
+    /// So many standard deviations to the side of more.
+    Off(f64),
 }
 
 impl Point {
@@ -105,11 +111,9 @@ impl Point {
     fn chance(&self, measure: f64, more: f64, part: Part) -> f64 {
         let s = hypot(self.known, more);
         let z = (log10(measure) - self.log) / self.eyes;
-        let off = ONE_IN_TEN * s / self.eyes;
         normal::below(match part {
             Part::Told => z / hypot(1.0, s / self.eyes),
-            Part::Low => z - off,
-            Part::High => z + off,
+            Part::Off(by) => z + by * s / self.eyes,
         })
     }
 }
@@ -125,8 +129,7 @@ fn chance(blow: &Blow, points: &PerInjury<Point>, injury: usize, felt: &Felt, pa
     let doubted = blow.doubted_way_in();
     let more = match part {
         Part::Told => way_in.z * (1.0 / hypot(1.0, doubted) - 1.0),
-        Part::Low => -ONE_IN_TEN * doubted,
-        Part::High => ONE_IN_TEN * doubted,
+        Part::Off(by) => by * doubted,
     };
     1.0 - (1.0 - torn) * (1.0 - way_in.chance(more))
 }
@@ -138,9 +141,33 @@ fn mean(felt: &[Felt], of: impl Fn(&Felt) -> f64) -> f64 {
 }
 
 impl Share {
+    /// What is told and the middle of what it may be, which has the share `p` of it below `at(p)`.
+    /// Where what is told lies beyond an end of that, and `below()` of it all is less, the range
+    /// goes on to half as far out and holds as much.
+    fn around(told: f64, at: impl Fn(f64) -> f64, below: impl FnOnce() -> f64) -> Self {
+        let tail = 0.5 * (1.0 - HELD);
+        let (low, high) = (at(tail), at(1.0 - tail));
+        if (low..=high).contains(&told) {
+            return Self { told, low, high };
+        }
+        let below = below();
+        let from = if told < low { 0.5 * below } else { 1.0 - HELD - 0.5 * (1.0 - below) };
+        Self { told, low: at(from).min(told), high: at(from + HELD).max(told) }
+    }
+
+    /// Of what rises with its [`Part::Off`].
     fn of(each: impl Fn(Part) -> f64) -> Self {
-        let [told, low, high] = [Part::Told, Part::Low, Part::High].map(each);
-        Self { told, low: low.min(told), high: high.max(told) }
+        let told = each(Part::Told);
+        // The whole of a distribution would lie infinitely far out.
+        let at = |below: f64| each(Part::Off(normal::quantile(below.clamp(1e-15, 1.0 - 1e-15))));
+        Self::around(told, at, || {
+            let (mut less, mut more) = (-FARTHEST, FARTHEST);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (less + more);
+                *if each(Part::Off(middle)) < told { &mut less } else { &mut more } = middle;
+            }
+            normal::below(less)
+        })
     }
 
     /// Both ends of its range.
@@ -204,9 +231,9 @@ fn coming(blow: &Blow, felt: &[Felt]) -> PerInjury<Share> {
         let mut shares: Vec<f64> = all.iter().map(|shares| shares[j]).collect();
         shares.sort_unstable_by(f64::total_cmp);
         let told = shares.iter().sum::<f64>() / shares.len() as f64;
-        let tenth = shares.len() / 10;
-        let (low, high) = (shares[tenth], shares[shares.len() - 1 - tenth]);
-        Share { told, low: low.min(told), high: high.max(told) }
+        let count = shares.len() as f64;
+        let at = |below: f64| shares[((below * count) as usize).min(shares.len() - 1)];
+        Share::around(told, at, || shares.partition_point(|share| *share < told) as f64 / count)
     })
 }
 
@@ -310,6 +337,28 @@ mod tests {
             let half = of(&[felt(&blow, 1.0, 0.0)])[*injury as usize];
             assert!((half.hit.told - 0.5).abs() < 1e-12, "{half:?}");
         }
+    }
+
+    #[test]
+    fn what_is_told_lies_inside_its_range_and_not_at_its_end() {
+        let blow = Blow::of(&preset("squash-ball", &[]));
+        let wide = |times: f64| {
+            let felt = Felt { errors: [1.0; Injury::ALL.len()], ..felt(&blow, times, 0.0) };
+            assess(&blow, &[felt], &PerInjury::default())[Injury::Hyphema as usize].hit
+        };
+        for times in [0.02, 0.2, 1.0, 5.0, 50.0] {
+            let Share { told, low, high } = wide(times);
+            assert!(low < told && told < high, "{times}: {low} {told} {high}");
+        }
+        // Of what is skewed one in ten may lie above what is told, but the range holds as much.
+        let share = Share::of(|part| match part {
+            Part::Told => normal::below(-2.0),
+            Part::Off(by) => normal::below(by),
+        });
+        let held = |end: f64| normal::quantile(end);
+        let (low, high) = (held(share.low), held(share.high));
+        assert!((normal::below(high) - normal::below(low) - HELD).abs() < 1e-6);
+        assert!(share.low < share.told && (share.low / share.told - 0.5).abs() < 1e-6);
     }
 
     #[test]

@@ -213,7 +213,7 @@ fn jobs(scenario: &Scenario, cases: &[Compiled], trials: &[Trial]) -> Vec<Job> {
             What::Reference => case.plan_at(case.rules().reference, REFERENCE_SHARE),
             What::Trial(place) => trials[place].plan,
         };
-        let evaluations = plan.window / plan.step * plan.integrator.method().evaluations() as f64;
+        let evaluations = plan.window / plan.step * plan.integrator.evaluations() as f64;
         // Above the finest level that is tried work is taken to grow with the cube.
         let finer = f64::from(level) / f64::from(level.min(most));
         let cost = evaluations * case.eye.elements_per_evaluation() as f64 * finer.powi(3);
@@ -239,7 +239,7 @@ fn answer(case: &Compiled) -> Plan {
 
 /// The trials on a level, the plan of an answer first.
 fn trials(case: &Compiled) -> Vec<Trial> {
-    let fixed = |integrator: &&Integrator| !integrator.method().adaptive();
+    let fixed = |integrator: &&Integrator| !integrator.chooses_its_steps();
     let others = case.rules().integrators.iter().filter(fixed);
     let others = others.flat_map(|of| SHARES.map(|share| case.plan_at(*of, share)));
     let mut plans: Vec<Plan> = [answer(case)].into_iter().chain(others).collect();

@@ -6,7 +6,7 @@
 //! Left out: how sure the quantiles themselves are.
 
 use crate::answer::{brief::BriefAnswer, uncertain::UncertainInput};
-use crate::many::ensemble::{Ensemble, PILOT, Sample};
+use crate::many::ensemble::{Ensemble, PILOT};
 use crate::many::statistics::{quantile, rank_correlation};
 use crate::run::quantity::Quantity;
 
@@ -42,6 +42,8 @@ pub struct Checks {
     pub first: Option<f64>,
     /// Largest error at the step taken, in %.
     pub last: f64,
+    /// The same of results that lead, in %.
+    pub leading: f64,
 }
 
 impl Ensemble {
@@ -50,9 +52,10 @@ impl Ensemble {
         self.samples.len() < self.asked as usize
     }
 
-    /// The samples that the bands hold: all that ran.
-    pub fn valid(&self) -> impl Iterator<Item = (&Sample, &BriefAnswer)> {
-        self.samples.iter().filter_map(|sample| Some((sample, sample.outcome.as_ref().ok()?)))
+    /// The samples that the bands hold, each with its number: all that ran.
+    pub fn valid(&self) -> impl Iterator<Item = (usize, &BriefAnswer)> {
+        let all = self.samples.iter().enumerate();
+        all.filter_map(|(index, sample)| Some((index, sample.outcome.as_ref().ok()?)))
     }
 
     /// Which samples the bands hold, in words.
@@ -120,7 +123,9 @@ impl Ensemble {
     pub fn drivers(&self, of: Quantity) -> Vec<(usize, f64)> {
         let Some(values) = self.values(of) else { return Vec::new() };
         let with = |input: usize| {
-            let drawn: Vec<f64> = self.valid().map(|(sample, _)| sample.drawn[input]).collect();
+            let drawn =
+                self.valid().map(|(sample, _)| self.drawn[sample * self.inputs.len() + input]);
+            let drawn: Vec<f64> = drawn.collect();
             (input, rank_correlation(&drawn, &values))
         };
         let mut found: Vec<(usize, f64)> = (0..self.inputs.len()).map(with).collect();
@@ -134,7 +139,7 @@ impl Ensemble {
         for (index, sample) in self.samples.iter().enumerate() {
             let kept = sample.outcome.as_ref().ok().filter(|point| !point.folded());
             let Some(check) = kept.and_then(|point| point.check) else { continue };
-            let refined = check.first > self.promise;
+            let refined = check.missed;
             checks.count += 1;
             checks.refined += usize::from(refined);
             if index >= PILOT as usize {
@@ -142,6 +147,7 @@ impl Ensemble {
                 checks.first = Some(checks.first.unwrap_or(0.0).max(check.first));
             }
             checks.last = checks.last.max(check.last);
+            checks.leading = checks.leading.max(check.leading);
         }
         checks
     }

@@ -10,6 +10,8 @@
 //! longest stable step says nothing of soft ones, which may take longer. Of the others every
 //! [`CHECK_EVERY`]th is compared as well, and refined where it misses [`promise_percent`].
 //!
+//! A sample keeps its results and no text, some 0.8 kB, in one piece of memory for all of them.
+//!
 //! What samples say together is a [`Band`](crate::many::bands::Band) for each result.
 //!
 //! Left out: the mesh error, which all samples share, inputs that hang together, and bands of
@@ -17,7 +19,7 @@
 
 use crate::answer::brief::{BriefAnswer, compared, promise_percent, single};
 use crate::answer::results::Results;
-use crate::answer::uncertain::{UncertainInput, inputs};
+use crate::answer::uncertain::{UncertainInput, inputs, put};
 use crate::many::statistics::median;
 use crate::run::{ordered, ordered::until, refusal::Refusal, refusal::unstopped, threads};
 use crate::scenario::{CheckedScenario, Scenario};
@@ -41,8 +43,6 @@ const TIME_EVERY: usize = 50;
 /// One sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// The value drawn for each input.
-    pub drawn: Vec<f64>,
     /// The answer, or the name of the refusal.
     pub outcome: Result<BriefAnswer, String>,
 }
@@ -69,6 +69,8 @@ pub struct Ensemble {
     pub nominal: Option<Results>,
     /// The samples done, in their order.
     pub samples: Vec<Sample>,
+    /// The values drawn for them: those of all inputs of the first, then of the next.
+    pub drawn: Vec<f64>,
     /// How many were asked for.
     pub asked: u32,
     /// The seed.
@@ -115,22 +117,21 @@ impl Job<'_> {
             // The sequence has 23 bits; the middle of its cell is never 0 or 1.
             let u =
                 f64::from(sobol_burley::sample(index, dimension, self.seed)) + 0.5 / 8_388_608.0;
-            let value = input.value(u);
-            input.put(&mut changed, value);
-            value
+            input.value(u)
         };
-        let values = (0..).zip(self.inputs).map(draw).collect();
+        let values: Vec<f64> = (0..).zip(self.inputs).map(draw).collect();
+        put(&mut changed, self.inputs, &values);
         (changed, values)
     }
 
     /// Sample number `index`; nothing if it was stopped.
-    fn run(&self, index: u32) -> Option<Sample> {
+    fn run(&self, index: u32) -> Option<(Sample, Vec<f64>)> {
         let (mut scenario, drawn) = self.drawn(index);
         let checked = match scenario.check() {
             Ok(checked) => checked,
             Err(error) => {
                 let field = error.problems.first().map_or("", |p| p.field.as_str());
-                return Some(Sample { drawn, outcome: Err(format!("{field} not allowed")) });
+                return Some((Sample { outcome: Err(format!("{field} not allowed")) }, drawn));
             }
         };
         let mut watch = until(self.stop);
@@ -144,12 +145,15 @@ impl Job<'_> {
             outcome = free.and_then(|free| run(&free, Some(self.cap), &mut watch));
         }
         let outcome = unstopped(outcome)?.map_err(|refusal| name(&refusal).to_owned());
-        Some(Sample { drawn, outcome })
+        Some((Sample { outcome }, drawn))
     }
 
     /// Adds the samples up to `to`; gives what single runs of the scenario took meanwhile, in s.
     fn gather(&self, to: u32, on_sample: OnSample, into: &mut Ensemble) -> Vec<f64> {
         let from = into.samples.len();
+        let lacking = (to as usize).saturating_sub(from);
+        into.samples.reserve_exact(lacking);
+        into.drawn.reserve_exact(lacking * self.inputs.len());
         let mut singles = Vec::new();
         let job = |index: usize| {
             // Timed among the samples, so that a busy machine slows both alike.
@@ -162,8 +166,9 @@ impl Job<'_> {
             let sample = self.run(index as u32)?;
             Some((sample, began.elapsed().as_secs_f64(), single))
         };
-        ordered::run((from, to as usize), self.stop, job, |_, (sample, took, single)| {
+        ordered::run((from, to as usize), self.stop, job, |_, ((sample, drawn), took, single)| {
             into.samples.push(sample);
+            into.drawn.extend(drawn);
             into.timing.cores += took;
             singles.extend(single);
             on_sample(into)
@@ -173,12 +178,12 @@ impl Job<'_> {
 }
 
 /// The longest step that the pilot allows, in s: a little below those at which the samples that
-/// missed `promise`, in %, would just keep it, or that any took. Infinite if all have folded.
-fn longest_step(pilot: &[Sample], promise: f64) -> f64 {
+/// missed the promise would just keep it, or that any took. Infinite if all have folded.
+fn longest_step(pilot: &[Sample]) -> f64 {
     let points = pilot.iter().filter_map(|s| s.outcome.as_ref().ok());
     let checks = points.filter(|p| !p.folded()).filter_map(|p| p.check);
     let tried = checks.clone().map(|check| check.tried).reduce(f64::max);
-    let missed = checks.filter(|check| check.first > promise);
+    let missed = checks.filter(|check| check.missed);
     let good = missed.map(|check| check.good_step).reduce(f64::min);
     good.or(tried).map_or(f64::INFINITY, |step| HEADROOM * step)
 }
@@ -208,6 +213,7 @@ pub fn run(
                 .transpose()?
                 .map(|answer| answer.values),
             samples: Vec::new(),
+            drawn: Vec::new(),
             asked: count,
             seed,
             cap: None,
@@ -219,7 +225,7 @@ pub fn run(
     let pilot = count.min(PILOT);
     let mut singles = job.gather(pilot, on_sample, &mut ensemble);
     let first = ensemble.samples.len().min(pilot as usize);
-    job.cap = longest_step(&ensemble.samples[..first], ensemble.promise);
+    job.cap = longest_step(&ensemble.samples[..first]);
     ensemble.cap = Some(job.cap).filter(|cap| cap.is_finite());
     if first == pilot as usize {
         singles.extend(job.gather(count, on_sample, &mut ensemble));
@@ -233,7 +239,7 @@ pub fn run(
 mod tests {
     use super::*;
     use crate::answer::brief::Check;
-    use crate::run::{quantity::Quantity, watch::stop_if};
+    use crate::run::{flags::FlagKinds, quantity::Quantity, watch::stop_if};
     use crate::scenario::set::set;
 
     fn quick() -> Scenario {
@@ -309,17 +315,18 @@ mod tests {
     #[test]
     fn only_samples_that_miss_the_promise_shorten_the_step_of_the_others() {
         let sample = |first, tried, good_step| {
-            let check = Some(Check { first, tried, last: 0.01, good_step });
-            let (values, flags) = (Results::from_fn(|_| None), Vec::new());
+            let (last, missed) = (0.01, first > 0.1);
+            let check = Some(Check { first, last, leading: last, missed, tried, good_step });
+            let (values, flags) = (Results::from_fn(|_| None), FlagKinds::default());
             let answer = BriefAnswer { values, flags, check, ranges: None };
-            Sample { drawn: Vec::new(), outcome: Ok(answer) }
+            Sample { outcome: Ok(answer) }
         };
         let (stiff, soft) = (sample(0.01, 2e-6, 3e-6), sample(0.2, 6e-6, 5e-6));
-        let mixed = longest_step(&[stiff.clone(), soft], 0.1);
+        let mixed = longest_step(&[stiff.clone(), soft]);
         assert!((mixed / (HEADROOM * 5e-6) - 1.0).abs() < 1e-12);
-        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)], 0.1);
+        let kept = longest_step(&[stiff, sample(0.02, 4e-6, 9e-6)]);
         assert!((kept / (HEADROOM * 4e-6) - 1.0).abs() < 1e-12);
-        assert!(longest_step(&[], 0.1).is_infinite());
+        assert!(longest_step(&[]).is_infinite());
     }
 
     #[test]

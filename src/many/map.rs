@@ -2,8 +2,8 @@
 //!
 //! It has 2^k + 1 points a side. First come its corners, then the middles between them, and so on,
 //! so that what is known spreads over the whole range at once. Each point holds every result of
-//! its run, and the range of each risk; a place is read off the nearest four points of the finest grid that is known round it,
-//! linearly in both directions.
+//! its run, and the range of each risk; a place is read off the nearest four points of the finest
+//! grid that is known round it, linearly in both directions.
 //!
 //! Left out: a step error for each point. They are single runs by the automatic step.
 
@@ -209,10 +209,9 @@ pub fn fill(
     let job = |index: usize| {
         let (i, j) = lacking[index];
         let mut scenario = scenario.clone();
-        for (span, at) in [(spans.0, i), (spans.1, j)] {
-            let value = spaced(span.from, span.to, side)[at];
-            set::put_number(&mut scenario, span.field, value);
-        }
+        let put = [(spans.0, i), (spans.1, j)];
+        let put = put.map(|(span, at)| (span.field, spaced(span.from, span.to, side)[at]));
+        set::put_numbers(&mut scenario, put);
         let checked = scenario.check().map_err(Refusal::from);
         let run = checked.and_then(|scenario| single(&scenario, None, &mut until(stop)));
         Some(match unstopped(run)? {

@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod bands;
 pub mod comparison;
 pub mod ensemble;
+pub mod falling;
 pub mod map;
 mod root;
 pub mod statistics;

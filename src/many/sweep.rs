@@ -9,7 +9,8 @@
 use crate::answer::brief::{BriefAnswer, checked};
 use crate::run::{quantity::Quantity, refusal::Refusal, refusal::unstopped, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario, fields, load::to_ron, problem::Problem};
-use crate::scenario::{problem::ScenarioError, set::full_path, set::model_first, set::set};
+use crate::scenario::{problem::ScenarioError, set::full_path, set::in_order};
+use crate::scenario::{set::set_one_of_several, set::settle};
 
 /// Most rows of a grid.
 pub const MAX_ROWS: usize = 10_000_000;
@@ -45,8 +46,10 @@ impl SweepAxis {
         let wanted = "expected FIELD=FROM:TO:COUNT or FIELD=A,B,C, as in impact.force_n=100:500:5";
         let (path, text) = typed.split_once('=').ok_or(wanted)?;
         let (path, text) = (path.trim().to_owned(), text.trim());
+        // A clock shows an hour as 7:30; a list of such has commas.
+        let is_list = text.contains(',') || path.ends_with("clock");
         let mut values: Vec<String> = match text.split(':').collect::<Vec<_>>()[..] {
-            [from, to, count] => {
+            [from, to, count] if !text.contains(',') => {
                 let number = |text: &str| text.trim().parse().ok().filter(|n: &f64| n.is_finite());
                 let (from, to) = number(from).zip(number(to)).ok_or(wanted)?;
                 let count = count.trim().parse().ok().filter(|n| (1..=MAX_VALUES).contains(n));
@@ -56,7 +59,9 @@ impl SweepAxis {
                 }
                 spaced(from, to, count).iter().map(f64::to_string).collect()
             }
-            [list] => list.split(',').map(|v| v.trim().to_owned()).collect(),
+            ref parts if is_list || parts.len() == 1 => {
+                text.split(',').map(|v| v.trim().to_owned()).collect()
+            }
             _ => return Err(wanted.to_owned()),
         };
         if path.is_empty() || values.iter().any(String::is_empty) {
@@ -106,12 +111,12 @@ impl Sweep {
             }
             for value in &mut axes[i].values {
                 let mut changed = scenario.clone();
-                set(&mut changed, &path, value)?;
+                set_one_of_several(&mut changed, &path, value)?;
                 let plain = fields::find(&path).and_then(|field| field.text(&changed));
                 // The word for a recorded curve does not say which; the name of its file does.
                 let says_all = |plain: &String| {
                     let mut again = scenario.clone();
-                    set(&mut again, &path, plain).is_ok() && again == changed
+                    set_one_of_several(&mut again, &path, plain).is_ok() && again == changed
                 };
                 match plain.filter(says_all) {
                     Some(plain) => *value = plain,
@@ -133,6 +138,11 @@ impl Sweep {
     /// The axes.
     pub fn axes(&self) -> &[SweepAxis] {
         &self.axes
+    }
+
+    /// What every row changes.
+    pub fn base(&self) -> &Scenario {
+        &self.scenario
     }
 
     /// How many rows there are.
@@ -157,10 +167,11 @@ impl Sweep {
     pub fn scenario(&self, row: usize) -> Result<CheckedScenario, ScenarioError> {
         let mut scenario = self.scenario.clone();
         let mut changes: Vec<(&SweepAxis, &str)> = self.axes.iter().zip(self.values(row)).collect();
-        model_first(&scenario, &mut changes, |(axis, _)| &axis.path);
+        in_order(&scenario, &mut changes, |(axis, _)| &axis.path);
         for (axis, value) in changes {
-            set(&mut scenario, &axis.path, value)?;
+            set_one_of_several(&mut scenario, &axis.path, value)?;
         }
+        settle(&mut scenario);
         scenario.check()
     }
 
@@ -207,6 +218,9 @@ mod tests {
         assert_eq!(values("a=5:-5:3"), ["5", "0", "-5"]);
         assert_eq!(values("a=2:2:1"), ["2"]);
         assert_eq!(values("a=x, y"), ["x", "y"]);
+        assert_eq!(values("angle_clock=1:30, 2:30"), ["1:30", "2:30"]);
+        assert_eq!(values("angle_clock=7:30"), ["7:30"]);
+        assert_eq!(values("angle_clock=1:2:3"), ["1", "1.5", "2"]);
         for bad in ["", "=", "=1:2", "=1:2:0", "=1:2:x", "=1:2:1", "=1,,2", "=nan:1:2"] {
             assert!(SweepAxis::read(&format!("a{bad}")).is_err(), "{bad}");
         }

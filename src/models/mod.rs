@@ -3,6 +3,14 @@
 //! Here is the one table of them. A further one is a folder beside these with a
 //! [`EyeModel`](crate::run::model::EyeModel), its [rules](crate::run::rules::Rules), its readings
 //! and its picture, a variant of [`Model`] with its fields, and a line in each function below.
+//!
+//! Bone has two laws, meant to be rigid both. At the axisymmetric eye it is a plane of rings beyond
+//! the opening, each pushing back with 2e11 Pa/m over its area (75 mm of bone of 15e9 Pa): some
+//! 1e8 N/m on the square centimetre or so that a body first rests on. In three dimensions it is
+//! the rounded edge of a measured orbit, spheres that share 1e9 N/m by length of arc against what
+//! is hard, and 3e10 Pa/m against the globe. A body whose own surface gives way is flattened by
+//! both alike, by its own law. What is left between the two, a plane all round against an edge with
+//! a gap, is a doubt of risks where bone is met.
 
 pub mod axisymmetric;
 pub mod paper;

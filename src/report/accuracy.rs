@@ -83,6 +83,7 @@ pub fn json(scenario: &Scenario, accuracy: &Accuracy, of: Quantity) -> Value {
     });
     let best = |most| json!({ "percent": most, "trial": cheapest(&totals, most) });
     json!({
+        "program": crate::report::program(),
         "scenario": scenario,
         "kernel": kernel_name(false),
         "result": of.key(),

@@ -4,6 +4,8 @@
 //! Numbers for people have no digit finer than their errors of step and mesh allow; CSV and JSON
 //! have all digits and every result, with the errors beside them.
 
+use std::borrow::Borrow;
+use std::cmp::Ordering;
 use std::io::{self, Write};
 
 use serde_json::{Value, json};
@@ -11,11 +13,13 @@ use serde_json::{Value, json};
 use crate::answer::solve::{Answer, Cut};
 use crate::injury::{Injury, SIGNS, whole};
 use crate::many::comparison::Entry;
+use crate::many::falling::{Fall, falls, is_alike, strength};
 use crate::plain_text::{cell as cell_text, markdown, printable};
 use crate::report::figure::{Figure, cut_signs};
 use crate::report::format::{WIDTH, block, paragraph, percent};
 use crate::report::json::cut;
-use crate::report::risks::{cell as risk_cell, first_line};
+use crate::report::risks::cell as risk_cell;
+use crate::report::sentence::verdict;
 use crate::run::quantity::Quantity;
 
 /// Narrowest column of a result.
@@ -57,15 +61,19 @@ impl Table {
             let refused = || entry.refused().map(str::to_owned);
             let flags = entry.answer().map_or(&[][..], |answer| &answer.flags).iter();
             let flags = flags.map(|f| format!("FLAG {}: {}", f.kind.name(), f.whole()));
-            // The gravest injury comes first.
-            let first = entry.answer().map(first_line).or_else(refused);
+            let first = entry.answer().map(verdict).or_else(refused);
             let all: Vec<String> = first.into_iter().chain(flags).collect();
             all.into_iter().map(move |remark| format!("{name}: {remark}"))
         };
         let answers = || entries.iter().filter_map(Entry::answer);
         let is_cut = |answer: &&Answer| columns.iter().any(|of| answer.cut(*of).is_some());
         let cut = answers().find(is_cut).map(|_| cut_signs(answers().filter(is_cut)));
-        let notes = cut.into_iter().map(str::to_owned).chain(worse(entries)).collect();
+        let notes = cut
+            .into_iter()
+            .map(str::to_owned)
+            .chain(which_is_worse(entries))
+            .chain(falling(entries))
+            .collect();
         let rows = entries.iter().map(row).collect();
         Self { heads, rows, notes, remarks: entries.iter().flat_map(remarks).collect() }
     }
@@ -130,21 +138,79 @@ impl Table {
     }
 }
 
-/// How often the first blow is worse than each other, injury by injury.
-fn worse(entries: &[Entry]) -> Vec<String> {
-    let [first, rest @ ..] = entries else { return Vec::new() };
-    let against = |other: &Entry| {
-        let chances = first.answer()?.worse(other.answer()?)?;
-        let one = |(injury, chance): (&Injury, f64)| {
-            let percent = whole(chance);
-            format!("{} {}", injury.word(), percent.trim_end_matches(" %"))
+/// From which chance on one is worse almost surely, and from which on probably; below it they are
+/// as good as alike.
+const SURELY: f64 = 0.9;
+const PROBABLY: f64 = 0.7;
+
+/// Which of several blows is worse, in words: the worst for each injury, and how sure that is
+/// against the next; none where fewer than two tell any risk.
+pub fn which_is_worse<A: Borrow<Answer>>(entries: &[Entry<A>]) -> Option<String> {
+    let told = |entry: &&Entry<A>| entry.answer().is_some_and(|a| a.worse(a).is_some());
+    let entries: Vec<&Entry<A>> = entries.iter().filter(told).collect();
+    if entries.len() < 2 {
+        return None;
+    }
+    // What is said, and of which injuries.
+    let mut said: Vec<(String, Vec<&str>)> = Vec::new();
+    for (at, injury) in Injury::ALL.iter().enumerate() {
+        let told = |entry: &Entry<A>| Some(entry.answer()?.risk(*injury)?.hit.told);
+        let mut sorted = entries.clone();
+        sorted.sort_by(|a, b| told(b).partial_cmp(&told(a)).unwrap_or(Ordering::Equal));
+        let [worst, next] = [0, 1].map(|place| sorted[place]);
+        let chance = worst.answer()?.worse(next.answer()?)?[at];
+        let [worst, next] = [worst, next].map(|entry| printable(brief(&entry.name)));
+        let words = match chance {
+            c if c >= SURELY => format!("{worst} is almost surely worst for "),
+            c if c >= PROBABLY => format!("{worst} is probably worst for "),
+            _ => {
+                let two = if worst < next { [worst, next] } else { [next, worst] };
+                format!("{} are about as bad for ", two.join(" and "))
+            }
         };
-        let said: Vec<String> = Injury::ALL.iter().zip(chances).map(one).collect();
-        let [first, other] = [&first.name, &other.name].map(|name| printable(name));
-        let said = said.join(", ");
-        Some(format!("{first} worse than {other} for eyes hit so, in so many of 100: {said}"))
+        match said.iter_mut().find(|(known, _)| *known == words) {
+            Some((_, injuries)) => injuries.push(injury.word()),
+            None => said.push((words, vec![injury.word()])),
+        }
+    }
+    let clause = |(words, injuries): &(String, Vec<&str>)| match injuries.as_slice() {
+        all if all.len() == Injury::ALL.len() => format!("{words}all {} injuries", all.len()),
+        [rest @ .., last] if !rest.is_empty() => format!("{words}{} and {last}", rest.join(", ")),
+        one => format!("{words}{}", one.concat()),
     };
-    rest.iter().filter_map(against).collect()
+    Some(said.iter().map(clause).collect::<Vec<_>>().join("; ") + ".")
+}
+
+/// The name of a preset, or the last part of a file's path.
+pub fn brief(source: &str) -> &str {
+    source.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("")
+}
+
+/// Which blows do less than a weaker one that is the same otherwise, a line each.
+fn falling(entries: &[Entry]) -> Vec<String> {
+    let all: Vec<(&Entry, &Answer, f64)> = entries
+        .iter()
+        .filter_map(|entry| Some((entry, entry.answer()?, strength(&entry.scenario)?)))
+        .collect();
+    let of = |(entry, answer, most): &(&Entry, &Answer, f64)| {
+        let is_weaker = |(other, _, less): &&(&Entry, &Answer, f64)| {
+            less < most && is_alike(&other.scenario, &entry.scenario)
+        };
+        let (other, weaker, _) = all.iter().filter(is_weaker).max_by(|a, b| a.2.total_cmp(&b.2))?;
+        let error = |of| Some(weaker.errors.time_step[of]? + answer.errors.time_step[of]?);
+        let falls = falls((&weaker.results(), &answer.results()), error);
+        let one = |fall: &Fall| {
+            let [from, to] = [fall.risks.0, fall.risks.1].map(|risk| whole(0.01 * risk));
+            format!("{} {to} after {from}", fall.injury.name())
+        };
+        let said: Vec<String> = falls.iter().map(one).collect();
+        let [harder, weaker] = [&entry.name, &other.name].map(|name| printable(name));
+        let said = said.join(", ");
+        (!falls.is_empty()).then(|| {
+            format!("{harder} is harder than {weaker} and does less to eyes hit so: {said}")
+        })
+    };
+    all.iter().filter_map(of).collect()
 }
 
 /// Prints every result as CSV with its errors in %, then which were cut off, flags and refusal.
@@ -182,7 +248,9 @@ pub fn csv(entries: &[Entry], out: &mut dyn Write) -> io::Result<()> {
 pub fn json(entries: &[Entry]) -> Value {
     let one = |entry: &Entry| {
         let mut object = match entry.answer() {
-            None => json!({ "scenario": entry.scenario, "refused": entry.refused() }),
+            None => {
+                json!({ "program": crate::report::program(), "scenario": entry.scenario, "refused": entry.refused() })
+            }
             Some(answer) => crate::report::json::answer(&entry.scenario, answer, &[]),
         };
         object["preset"] = json!(entry.name);

@@ -122,7 +122,7 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\nThe bands hold {valid} of {done} samples: {}", ensemble.which())?;
     let counts = ensemble.counts();
     counts.iter().try_for_each(|(name, count)| writeln!(out, "{count:>7}  {name}"))?;
-    let Checks { count, refined, missed, first, last } = ensemble.checks();
+    let Checks { count, refined, missed, first, last, leading } = ensemble.checks();
     let (last, promise) = (percent(last), ensemble.promise);
     if count == 0 {
         let why = "no sample kept its mesh whole and its eye in shape";
@@ -134,7 +134,8 @@ fn counts(ensemble: &Ensemble, out: &mut dyn Write) -> io::Result<()> {
     }
     if refined > 0 {
         write!(out, "  {refined} above {promise} % were refined, ")?;
-        writeln!(out, "{missed} of them after the pilot; now at most {last}")?;
+        let now = format!("now at most {}, of results that lead", percent(leading));
+        writeln!(out, "{missed} of them after the pilot;\n  {now}")?;
     }
     Ok(())
 }
@@ -194,6 +195,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
     let (timing, each) = (&ensemble.timing, core_seconds(ensemble));
     let results = ensemble.results().into_iter().map(|of| (of.key(), band(ensemble, of)));
     json!({
+        "program": crate::report::program(),
         "scenario": scenario,
         "samples": ensemble.samples.len(),
         "asked": ensemble.asked,
@@ -213,6 +215,7 @@ pub fn json(scenario: &Scenario, ensemble: &Ensemble) -> Value {
             "above_promise_after_pilot": checks.missed,
             "worst_at_the_common_step_percent": checks.first,
             "worst_percent": (checks.count > 0).then_some(checks.last),
+            "worst_leading_percent": (checks.count > 0).then_some(checks.leading),
             "longest_step_us": ensemble.cap.map(|cap| cap * 1e6),
         },
         "timing": {

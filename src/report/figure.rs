@@ -129,7 +129,9 @@ impl Figure {
         let cut = answer.cut(of);
         // Of a risk that is less than so much, and may grow, nothing is known.
         let number = if cut.is_some() && number.starts_with('<') { "0".to_owned() } else { number };
-        Some(Self { number, unit: of.row().unit, off, cut })
+        // The index is the paper's percentage.
+        let unit = if of == Quantity::Damage { "%" } else { of.row().unit };
+        Some(Self { number, unit, off, cut })
     }
 
     /// The number as a table shows it, with a sign where the run cut it off, see [`cut_signs`].
@@ -145,6 +147,23 @@ impl Figure {
         Self { number, ..self.clone() }
     }
 
+    /// The unit where it stands before the error, and the error with its unit, of a figure in
+    /// percent in percent of the same: `26 ±9 %`, as `26 % ±35 %` reads as up to 61.
+    pub fn unit_and_error(&self) -> (&'static str, String) {
+        let number: Option<f64> = self.number.parse().ok();
+        match (self.unit, self.off, number) {
+            ("%", Off::Known(error), Some(number)) => {
+                let off = number.abs() * error / 100.0;
+                let after = self.number.split_once('.').map_or(0, |(_, after)| after.len());
+                let whole = format!("{off:.after$}");
+                let is_less = off > 0.0 && whole.trim_matches(['0', '.']).is_empty();
+                let least = format!("<{:.after$}", libm::exp10(-(after as f64)));
+                ("", format!("±{} %", if is_less { least } else { whole }))
+            }
+            (unit, off, _) => (unit, off.to_string()),
+        }
+    }
+
     /// The number as [`Self::cell`] shows it with its unit.
     pub fn signed(&self) -> String {
         with_unit(&self.cell(), self.unit)
@@ -153,8 +172,9 @@ impl Figure {
 
 impl fmt::Display for Figure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let number = with_unit(&self.number, self.unit);
-        let words = format!("{} {number} {}", cut_before(self.cut).1, self.off);
+        let (unit, error) = self.unit_and_error();
+        let number = with_unit(&self.number, unit);
+        let words = format!("{} {number} {error}", cut_before(self.cut).1);
         f.write_str(words.trim())
     }
 }
@@ -188,7 +208,8 @@ pub const PARTS: [(Quantity, Term); 3] = [
     (Quantity::Energy, ENERGY),
 ];
 
-/// A trace at one moment, as in `12.3 ±0.4 N`, by the error of its peak; of no result without.
+/// A trace at one moment, as in `12.3 ±0.4 N`, by the share that its peak may be off by; of no
+/// result without.
 pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
     let row = course.row();
     let hit = answer.result(Quantity::Contact).is_some();
@@ -212,12 +233,14 @@ pub fn at_a_moment(answer: &Answer, course: Trace, value: f64) -> String {
         Off::Limitless => format!("{} ±?", rounded(value, DIGITS.0)),
         Off::Unstated => significant(value),
         Off::Known(percent) => {
-            let error = percent / 100.0 * peak;
-            if 100.0 * error < NEGLIGIBLE * peak {
-                let negligible = if error > 0.0 { off.to_string() } else { String::new() };
+            // Of a moment the error is that of the moment: what is nearly nothing is off by less.
+            let error = percent / 100.0 * value.abs();
+            if percent < NEGLIGIBLE || value == 0.0 {
+                let known = percent > 0.0 && value != 0.0;
+                let negligible = if known { off.to_string() } else { String::new() };
                 return with_unit(&with_unit(&significant(value), row.unit), &negligible);
             }
-            format!("{} ±{}", to_the_place(value, error), rounded(error, 2))
+            format!("{} ±{}", to_the_place(value, error), rounded(error, 1))
         }
     };
     with_unit(&figure, row.unit)
@@ -231,9 +254,9 @@ fn settled(value: f64, least: f64) -> f64 {
     if value.abs() < least { 0.0 } else { value }
 }
 
-/// A value with no digit finer than the second one of its error, nor more than four.
+/// A value with no digit finer than the first one of its error, nor more than four.
 fn to_the_place(value: f64, error: f64) -> String {
-    let after = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
+    let after = (-error.log10().floor()).clamp(0.0, 9.0) as usize;
     let most = significant(value);
     let plain = format!("{value:.after$}");
     let plain = if plain.len() < most.len() { plain } else { most };
@@ -344,5 +367,18 @@ mod tests {
         assert_eq!(figure(Some(Cut::AtLeast)).cell(), "≥73");
         assert_eq!(figure(Some(Cut::NotFinal)).cell(), "~73");
         assert_eq!(causes(&errors), "step and mesh");
+    }
+
+    #[test]
+    fn a_figure_in_percent_has_its_range_in_the_same_unit() {
+        let of = |number: &str, error| {
+            let (number, off) = (number.to_owned(), Off::Known(error));
+            Figure { number, unit: "%", off, cut: None }.to_string()
+        };
+        assert_eq!(of("26", 35.0), "26 ±9 %");
+        assert_eq!(of("93.5", 0.4), "93.5 ±0.4 %");
+        assert_eq!(of("26.42", 0.001), "26.42 ±<0.01 %");
+        let limitless = Figure { number: "26".into(), unit: "%", off: Off::Limitless, cut: None };
+        assert_eq!(limitless.to_string(), "26 % ±?");
     }
 }

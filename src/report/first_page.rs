@@ -1,32 +1,35 @@
-//! An answer on one screen of a terminal: what hit what, six injuries, five figures with their
-//! errors, what limits them and what to do about it, and how to see more; and in three lines, to
-//! paste into a mail or a chart: what to believe, figures with their errors, flags.
+//! An answer on one screen of a terminal: the sentence, six injuries or the paper's index with its
+//! parts, figures with their errors, what limits them and what to do about it, and how to see more;
+//! and in three lines, to paste into a mail or a chart: the sentence, figures, flags.
 
 use crate::answer::solve::Answer;
 use crate::injury::{BURST, Injury, Outcome, Risk, SIGNS, Share};
-use crate::plain_text::printable;
 use crate::report::figure::{Figure, SCALE, cut_signs, error_signs, unusable};
 use crate::report::format::{WIDTH, capital, wrapped};
-use crate::report::{bone, look_for, risks::first_line, text::row};
+use crate::report::risks::silence;
+use crate::report::sentence::sentence;
+use crate::report::text::{damage, row};
+use crate::report::{bone, look_for};
 use crate::run::{flags::Flag, quantity::Quantity};
 use crate::scenario::{Scenario, problem::plain};
 
 /// Lines of the page at most: the prompt that follows leaves 23 of 24 on the screen.
 pub const LINES: usize = 23;
-/// Figures of the page: the first so many of [`LEADING`] and the forces that the scene has, of a
-/// scene with injuries and of one without.
-const FIGURES: [usize; 2] = [3, 5];
+/// Figures of the page where injuries are told of: the first so many that the scene has.
+const FIGURES: usize = 3;
 const LEADING: [Quantity; 5] =
     [Quantity::Damage, Quantity::Apex, Quantity::Pressure, Quantity::Contact, Quantity::Shortening];
 const MORE: &str = "More: --all (every result), --json (for programs), contrecoup report (a page)";
 
 /// The page. Numerics that were chosen for a tolerance are said if `chosen`.
 pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
-    let what = what(scenario);
+    let what = what(scenario, answer);
     let (injuries, mut notes) = injuries(scenario, answer);
     let figures = figures(answer, chosen);
     let signs = wrapped(SIGNS, WIDTH);
-    let taken = what.len() + injuries.len() + figures.len() + signs.len() + 1;
+    let silence = silence(answer).map_or_else(Vec::new, |why| wrapped(&why, WIDTH));
+    let taken = [&what, &injuries, &figures, &signs, &silence].map(Vec::len);
+    let taken = taken.iter().sum::<usize>() + 1;
     let mut left = LINES.saturating_sub(taken);
     // What limits the results and what to do about it goes before the last of the notes.
     let first = flags(answer.flags.get(..1).unwrap_or_default(), usize::MAX).len();
@@ -39,7 +42,7 @@ pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
     left -= notes.len().min(left);
     let flags = flags(&answer.flags, left);
     left -= flags.len().min(left);
-    let parts = [what, [injuries, notes].concat(), figures, flags, signs];
+    let parts = [what, [injuries, notes].concat(), figures, flags, signs, silence];
     let mut page = String::new();
     for part in parts.iter().filter(|part| !part.is_empty()) {
         if !page.is_empty() && left > 0 {
@@ -51,20 +54,21 @@ pub fn text(scenario: &Scenario, answer: &Answer, chosen: bool) -> String {
     page + MORE + "\n"
 }
 
-fn what(scenario: &Scenario) -> Vec<String> {
+/// The sentence, and what was asked in figures.
+fn what(scenario: &Scenario, answer: &Answer) -> Vec<String> {
     let object = scenario.projectile().map_or_else(String::new, |object| {
         let [mass, wide, speed] = [object.mass_g, object.diameter_mm, object.speed_m_s].map(plain);
         format!("{mass} g, {wide} mm, {speed} m/s; ")
     });
     let text = format!("{object}{}", scenario.description());
-    let name = wrapped(&printable(&scenario.name), WIDTH).into_iter().take(1);
-    name.chain(wrapped(&text, WIDTH)).collect()
+    let said = wrapped(&sentence(scenario, answer), WIDTH);
+    said.into_iter().chain(wrapped(&text, WIDTH)).collect()
 }
 
 /// The injuries as a table, and what is to be said of them, what may be left out last.
 fn injuries(scenario: &Scenario, answer: &Answer) -> (Vec<String>, Vec<String>) {
-    if let Some(silence) = answer.silence() {
-        return (wrapped(&format!("injuries: {silence}"), WIDTH), Vec::new());
+    if answer.silence().is_some() {
+        return (Vec::new(), Vec::new());
     }
     let line = |name: &str, [word, come, hit, seen]: [&str; 4]| {
         let line = format!("{name:<19} {word:<18} {come:>12} {hit:>12} {seen:>14}");
@@ -151,8 +155,14 @@ fn figures(answer: &Answer, chosen: bool) -> Vec<String> {
     let (mut lines, mut cut) = (Vec::new(), false);
     let shown = LEADING.iter().chain(&Quantity::FORCES);
     let shown = shown.filter_map(|of| Some((*of, Figure::of(answer, *of)?)));
-    let figures = FIGURES[usize::from(answer.silence().is_some())];
-    for (of, figure) in shown.take(figures) {
+    // The paper's own answer is the index with its parts, the apex, and all four nodes.
+    let (first, count) = if answer.silence().is_some() && !answer.run.missed {
+        lines.extend(damage(answer));
+        (1, usize::MAX)
+    } else {
+        (0, FIGURES)
+    };
+    for (of, figure) in shown.skip(first).take(count) {
         cut |= figure.cut.is_some();
         let more = match answer.peak(of) {
             Some(peak) => format!("at {:.3} ms", peak.time * 1e3),
@@ -190,8 +200,6 @@ fn flags(flags: &[Flag], room: usize) -> Vec<String> {
 
 /// The three lines, and the command that repeats the blow as a fourth, if one does.
 pub fn in_three_lines(scenario: &Scenario, answer: &Answer, command: Option<&str>) -> String {
-    let name = printable(&scenario.name);
-    let verdict = first_line(answer);
     let shown = [Quantity::Apex, Quantity::Pressure, Quantity::Contact];
     let figures = shown.iter().filter_map(|of| {
         let figure = Figure::of(answer, *of)?;
@@ -209,9 +217,10 @@ pub fn in_three_lines(scenario: &Scenario, answer: &Answer, command: Option<&str
         if flags.is_empty() { "no flags".into() } else { format!("flags: {}", flags.join(", ")) };
     let command = command.map_or_else(String::new, |command| format!("{command}\n"));
     format!(
-        "{name}: {verdict}\n\
+        "{}\n\
          {index}{figures} ({signs})\n\
-         {flags}; research and education, not diagnosis\n{command}"
+         {flags}; research and education, not diagnosis\n{command}",
+        sentence(scenario, answer)
     )
 }
 
@@ -253,11 +262,24 @@ mod tests {
     #[test]
     fn what_hit_six_injuries_five_figures_and_flags_with_a_next_step_are_there() {
         let page = page("squash-ball", &[], &[]);
-        assert!(page.starts_with("Squash ball at 40 m/s\n24 g, 40 mm, 40 m/s; Physiological"));
+        assert!(page.starts_with("Squash ball at 40 m/s: "), "{page}");
+        assert!(page.contains("\n24 g, 40 mm, 40 m/s; Physiological"), "{page}");
         assert!(page.contains("12 of 71") && page.contains("hit so"), "{page}");
-        assert_eq!(page.matches("±").count(), FIGURES[0] + 1, "{page}");
+        assert_eq!(page.matches("±").count(), FIGURES + 1, "{page}");
         assert!(page.contains("bone: a fracture is possible"), "{page}");
         assert!(page.contains("FLAG rim_stops: "), "{page}");
+    }
+
+    #[test]
+    fn the_papers_blow_begins_with_the_papers_answer_and_ends_with_what_is_not_told() {
+        let scenario = preset("paper-300n", &[]);
+        let page = text(&scenario, &answered(&scenario), false);
+        assert!(page.lines().count() <= LINES, "{page}");
+        assert!(page.starts_with("300 N for 0.2 ms: chance of retinal damage 26 % by"), "{page}");
+        let places = ["wall growth S", "Cornea pushed in", "force, top", "\nInjuries: not told"];
+        let places =
+            places.map(|word| page.find(word).unwrap_or_else(|| panic!("{word}:\n{page}")));
+        assert!(places.is_sorted(), "{page}");
     }
 
     #[test]
@@ -266,7 +288,8 @@ mod tests {
         let text = in_three_lines(&bb, &answered(&bb), Some("contrecoup run bb-56"));
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 4, "{text}");
-        assert!(lines[0].starts_with("Steel BB at 56 m/s: globe rupture: "), "{text}");
+        assert!(lines[0].starts_with("Steel BB at 56 m/s: "), "{text}");
+        assert!(lines[0].contains("a burst globe "), "{text}");
         assert!(lines[1].starts_with("damage index so far "), "{text}");
         // The window ends while the ball presses on: each other figure may still grow.
         assert_eq!(lines[1].matches("; ").count(), lines[1].matches(" at least ").count());

@@ -2,7 +2,8 @@
 //!
 //! A result stands under the key of its row in [`crate::run::quantity`], which is the same in
 //! sweeps, ensembles and errors; the time of its peak stands under that key in
-//! `peak_time_ms_by_result`. Figures that are no results stand beside them.
+//! `peak_time_ms_by_result`. Figures that are no results stand beside them. `contrecoup guide json`
+//! lists every key.
 
 use crate::answer::results::{Limit, Limits, Results};
 use crate::answer::solve::{Answer, Cut, Errors};
@@ -92,14 +93,16 @@ fn sectors(of: &Sectors) -> Value {
 pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value {
     let element = answer.case.rules().element;
     let mut object = json!({
+        "program": crate::report::program(),
         "scenario": scenario,
+        "direction": scenario.direction(),
         "results": by_result(&answer.results()),
         "at_least": cut(answer, Cut::AtLeast),
         "not_final": cut(answer, Cut::NotFinal),
         "error": errors(&answer.errors),
         "numerics": {
             "level": answer.case.level(),
-            "nodes": answer.case.eye.regions().len(),
+            "nodes": answer.case.eye.nodes(),
             element.plural(): answer.case.eye.elements(),
             "integrator": answer.plan.integrator.name(),
             "step_us": answer.step * 1e6,
@@ -128,10 +131,6 @@ pub fn answer(scenario: &Scenario, answer: &Answer, reasons: &[String]) -> Value
             let hour = side.hour(detail.value.to_radians());
             object["results"][format!("{place}_clock_h")] = json!(hour);
         }
-    }
-    if let Some(projectile) = scenario.projectile() {
-        let direction = projectile.direction(side);
-        object["direction"] = direction.unwrap_or_else(|| "straight on".to_owned()).into();
     }
     object
 }

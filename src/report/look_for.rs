@@ -13,35 +13,33 @@ use std::f64::consts::TAU;
 pub const NOT_COMPUTED: &str = "Not computed: orbital fracture with a trapped muscle, vitreous \
     blood, angle recession, cataract, choroidal rupture, optic nerve.";
 
-impl Injury {
-    /// What to look for and do.
-    pub const fn look_for(self) -> [&'static str; 2] {
-        match self {
-            Self::GlobeRupture => [
-                "Rigid shield, nothing pressed on the eye; no drops, no tonometry.",
-                "Ultrasound and indentation wait until the globe is known to be closed.",
-            ],
-            Self::RetinaBack => [
-                "Globe closed: dilate. Pale retina, blood, hole or tear? OCT if sight down.",
-                "Blood can hide a tear at the back: look again when it has cleared.",
-            ],
-            Self::RetinaFront => [
-                "Globe closed, no hyphema: dilate and indent, see the ora all round.",
-                "Detachment can come months later: see again; flashes, curtain: same day.",
-            ],
-            Self::LensDislocation => [
-                "Iris or lens trembling, chamber uneven, double sight in one eye?",
-                "Measure pressure if globe closed. Lens forward or pressure up: same day.",
-            ],
-            Self::Hyphema => [
-                "Head up, shield, no aspirin. Globe closed: pressure daily; rebleed day 3-5.",
-                "Sickle test: in carriers a pressure below 30 can cost the optic nerve.",
-            ],
-            Self::CornealAbrasion => [
-                "Globe not in doubt: fluorescein, blue light; turn the upper lid.",
-                "No patch, no numbing drops to take home; see again in 24 hours.",
-            ],
-        }
+/// What to look for and do.
+pub const fn look_for(injury: Injury) -> [&'static str; 2] {
+    match injury {
+        Injury::GlobeRupture => [
+            "Rigid shield, nothing pressed on the eye; no drops, no tonometry.",
+            "Ultrasound and indentation wait until the globe is known to be closed.",
+        ],
+        Injury::RetinaBack => [
+            "Globe closed: dilate. Pale retina, blood, hole or tear? OCT if sight down.",
+            "Blood can hide a tear at the back: look again when it has cleared.",
+        ],
+        Injury::RetinaFront => [
+            "Globe closed, no hyphema: dilate and indent, see the ora all round.",
+            "Detachment can come months later: see again; flashes, curtain: same day.",
+        ],
+        Injury::LensDislocation => [
+            "Iris or lens trembling, chamber uneven, double sight in one eye?",
+            "Measure pressure if globe closed. Lens forward or pressure up: same day.",
+        ],
+        Injury::Hyphema => [
+            "Head up, shield, no aspirin. Globe closed: pressure daily; rebleed day 3-5.",
+            "Sickle test: in carriers a pressure below 30 can cost the optic nerve.",
+        ],
+        Injury::CornealAbrasion => [
+            "Globe not in doubt: fluorescein, blue light; turn the upper lid.",
+            "No patch, no numbing drops to take home; see again in 24 hours.",
+        ],
     }
 }
 
@@ -78,7 +76,7 @@ pub fn hours(answer: &Answer, injury: Injury, side: Side) -> Option<String> {
 pub fn lines(answer: &Answer, risks: &[Risk], side: Side) -> Vec<(&'static str, String)> {
     let not_excluded = |risk: &&Risk| !risk.usable || risk.is_open() || risk.gravity() > 0;
     let of = |risk: &Risk| {
-        let [first, second] = risk.injury.look_for();
+        let [first, second] = look_for(risk.injury);
         let place = hours(answer, risk.injury, side);
         let place = place.map_or_else(String::new, |hours| format!(" Strained most at {hours}."));
         (risk.injury.name(), format!("{first} {second}{place}"))

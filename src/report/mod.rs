@@ -21,6 +21,7 @@ pub mod pace;
 pub mod page;
 pub mod picture;
 pub mod risks;
+pub mod sentence;
 pub mod sweep;
 pub mod text;
 pub mod threshold;
@@ -29,6 +30,11 @@ pub mod tissue_fit;
 /// The commit that was built, where whoever built it said so.
 pub fn commit() -> Option<&'static str> {
     said(option_env!("CONTRECOUP_COMMIT"))
+}
+
+/// The program that answered, which every JSON object names.
+pub(crate) fn program() -> serde_json::Value {
+    serde_json::json!({ "version": env!("CARGO_PKG_VERSION"), "commit": commit() })
 }
 
 fn said(commit: Option<&str>) -> Option<&str> {

@@ -4,33 +4,26 @@ use crate::answer::solve::Answer;
 use crate::injury::{EnergyCurve, Injury, Risk, SIGNS, Share, whole};
 use crate::report::figure::Figure;
 use crate::report::format::{block, paragraph, significant};
-use crate::report::{bone, look_for};
+use crate::report::{bone, look_for, sentence::sentence};
 use crate::run::quantity::Quantity;
 use crate::scenario::Scenario;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// What to say of each injury, a globe first and then by figure, and what holds of all of them; in
-/// one line why nothing is said, if so.
+/// What to say of each injury, a globe first and then by figure, and what holds of all of them;
+/// nothing where no injury is told of.
 pub fn lines(answer: &Answer) -> Vec<(&'static str, String)> {
-    if let Some(silence) = answer.silence() {
-        return vec![("injuries", silence.to_owned())];
-    }
     let line = |risk: &Risk| (risk.injury.name(), risk.words());
     let mut lines: Vec<(&'static str, String)> = answer.risks().iter().map(line).collect();
-    if let Some(spoiled) = answer.no_risks() {
+    if let Some(spoiled) = answer.no_risks().filter(|_| answer.silence().is_none()) {
         lines.push(("all of them", format!("{}: {}", spoiled.why, spoiled.next)));
     }
     lines
 }
 
-/// The gravest of [`lines`] in one sentence.
-pub fn first_line(answer: &Answer) -> String {
-    let said = lines(answer);
-    let (name, words) = &said[0];
-    let of_all = said.last().filter(|_| answer.no_risks().is_some() && said.len() > 1);
-    let of_all = of_all.map_or_else(String::new, |(_, words)| format!("; {words}"));
-    format!("{name}: {words}{of_all}")
+/// Why no injury is told of, if that is so: for whoever asks, after all else.
+pub fn silence(answer: &Answer) -> Option<String> {
+    answer.silence().map(|why| format!("Injuries: {why}."))
 }
 
 /// A risk as a table shows it, told and its range; none of what is no risk.
@@ -41,8 +34,11 @@ pub fn cell(answer: &Answer, of: Quantity) -> Option<String> {
     Some(if told == range { told } else { format!("{told} ({range})") })
 }
 
-/// Prints a line for each injury, what to look for, and the signs that count more than any of them.
+/// Prints the answer in one sentence, a line for each injury, what to look for, and the signs that
+/// count more than any of them.
 pub fn text(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
+    block(&sentence(scenario, answer), "", "", out)?;
+    writeln!(out)?;
     let mut lines = lines(answer).into_iter();
     lines.try_for_each(|(name, words)| paragraph(&format!("{name}: {words}"), out))?;
     if let Some(bone) = bone::line(answer) {
@@ -63,14 +59,17 @@ pub fn text(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Re
     paragraph(SIGNS, out)
 }
 
-/// Prints what each risk rests on; nothing where there are none.
+/// Prints what each risk rests on, or why there are none.
 pub fn evidence(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let risks = answer.risks();
     if !risks.is_empty() {
         writeln!(out, "\nWhat the risks rest on, beside the index and not part of it:")?;
     }
     let lines: Vec<String> = risks.iter().flat_map(|risk| basis(answer, risk)).collect();
-    lines.iter().try_for_each(|line| block(line, "  ", "      ", out))
+    lines.iter().try_for_each(|line| block(line, "  ", "      ", out))?;
+    let Some(why) = silence(answer) else { return Ok(()) };
+    writeln!(out)?;
+    block(&why, "", "", out)
 }
 
 /// What one risk rests on: what its tissue felt beside what hurts half, what was counted, and what
@@ -185,11 +184,13 @@ mod tests {
     }
 
     #[test]
-    fn a_pulse_on_the_section_says_in_one_line_why_there_are_no_injuries() {
+    fn a_pulse_on_the_section_says_last_why_there_are_no_injuries() {
         let scenario = preset("paper-300n", &[]);
         let paper = answered(&scenario);
-        assert_eq!(lines(&paper).len(), 1);
-        assert!(printed(&scenario, &paper).starts_with("injuries: not told: "));
+        assert!(lines(&paper).is_empty());
+        let page = printed(&scenario, &paper);
+        assert!(page.starts_with("300 N for 0.2 ms: chance of retinal damage "), "{page}");
+        assert!(page.contains("\n\nInjuries: not told: "), "{page}");
         assert_eq!(json(&paper), json!({}));
     }
 }

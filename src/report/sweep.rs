@@ -1,10 +1,11 @@
 //! Rows of a sweep as CSV or as JSON lines, and what tells one table from another.
 
 use crate::answer::brief::BriefAnswer;
-use crate::injury::Injury;
+use crate::injury::{Injury, whole};
+use crate::many::falling::FallingRows;
 use crate::many::sweep::{Sweep, SweepRow, fnv1a};
 use crate::plain_text::cell;
-use crate::run::quantity::Quantity;
+use crate::run::{flags::FlagKind, quantity::Quantity};
 use crate::scenario::fields;
 use serde_json::{Value, json};
 
@@ -29,6 +30,26 @@ fn figures(point: Option<&BriefAnswer>) -> impl Iterator<Item = (String, Option<
     results.chain(ranges)
 }
 
+/// Whether the rows of a sweep differ in where an object comes from.
+fn turns(sweep: &Sweep) -> bool {
+    let fields = ["model", "model.eye_side", "impact", "impact.from"];
+    let of_direction = |path: &str| fields.contains(&path) || path.starts_with("impact.angle");
+    sweep.axes().iter().any(|axis| of_direction(&axis.path))
+}
+
+/// Which eye of a row it is, the side that the object comes from, and the hour: what an axis holds
+/// may be an angle below 0, or a side alone. Nothing of a row that is refused.
+fn direction(sweep: &Sweep, row: usize) -> [(&'static str, Option<String>); 3] {
+    let scenario = sweep.scenario(row).ok();
+    let text = |path: &str| fields::find(path)?.text(scenario.as_deref()?);
+    let straight = ["StraightOn", "NotKnown"];
+    let from = text("impact.from");
+    let turned = from.as_ref().is_some_and(|from| !straight.contains(&from.as_str()));
+    let hour = scenario.as_ref().filter(|_| turned).and_then(|scenario| scenario.projectile());
+    let hour = hour.map(|object| object.angle_clock.to_string());
+    [("eye_side", text("model.eye_side")), ("from", from), ("hour", hour)]
+}
+
 fn csv(cells: &[String]) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let written = writer.write_record(cells);
@@ -45,6 +66,9 @@ impl SweepFormat {
             Self::Csv => {
                 let mut columns = vec!["row".to_owned()];
                 columns.extend(paths.iter().map(|path| (*path).to_owned()));
+                if turns(sweep) {
+                    columns.extend(["eye_side", "from", "hour"].map(str::to_owned));
+                }
                 columns.extend(figures(None).map(|(key, _)| key));
                 columns
                     .extend(["step_error_percent", "flags", "refused", "sum"].map(str::to_owned));
@@ -52,20 +76,29 @@ impl SweepFormat {
                 format!("# contrecoup sweep {mark} of {rows} rows\n{}", csv(&columns))
             }
             Self::Json => {
-                format!("{}\n", json!({ "sweep": mark, "rows": sweep.rows(), "varied": paths }))
+                let (rows, program) = (sweep.rows(), crate::report::program());
+                let head =
+                    json!({ "sweep": mark, "rows": rows, "varied": paths, "program": program });
+                format!("{head}\n")
             }
         }
     }
 
     pub fn row(self, sweep: &Sweep, row: &SweepRow) -> String {
         let (point, refused) = (row.outcome.as_ref().ok(), row.outcome.as_ref().err());
-        let flags: Vec<&str> = point.iter().flat_map(|p| &p.flags).map(|f| f.name()).collect();
+        let flags: Vec<&str> =
+            point.iter().flat_map(|p| p.flags.iter()).map(FlagKind::name).collect();
         let error = point.and_then(|p| p.check).map(|check| check.last);
         match self {
             Self::Csv => {
                 let number = |v: Option<f64>| v.map_or_else(String::new, |v| v.to_string());
                 let mut cells = vec![row.number.to_string()];
                 cells.extend(row.values.iter().map(|value| cell(value)));
+                if turns(sweep) {
+                    cells.extend(
+                        direction(sweep, row.number).map(|(_, text)| text.unwrap_or_default()),
+                    );
+                }
                 cells.extend(figures(point).map(|(_, value)| number(value)));
                 cells.extend([number(error), flags.join(";")]);
                 // A message of several lines would break the row.
@@ -76,7 +109,7 @@ impl SweepFormat {
                 let varied = sweep.axes().iter().zip(&row.values);
                 let varied =
                     varied.map(|(axis, text)| (axis.path.as_str(), typed(&axis.path, text)));
-                let object = json!({
+                let mut object = json!({
                     "row": row.number,
                     "varied": varied.collect::<Value>(),
                     "results": point.map(|_| figures(point).collect::<Value>()),
@@ -84,6 +117,9 @@ impl SweepFormat {
                     "flags": flags,
                     "refused": refused,
                 });
+                if turns(sweep) {
+                    object["direction"] = direction(sweep, row.number).into_iter().collect();
+                }
                 self.summed(sweep, object.to_string().strip_suffix('}').unwrap_or_default())
             }
         }
@@ -112,6 +148,17 @@ impl SweepFormat {
             Self::Json => format!(",\"sum\":\"{sum:016x}\"}}\n"),
         }
     }
+}
+
+/// In how many rows a harder blow does less, in a line; none where in none.
+pub fn falling(rows: &FallingRows) -> Option<String> {
+    let (harder, weaker, fall) = rows.first?;
+    let (count, name) = (rows.count, fall.injury.name());
+    let [from, to] = [fall.risks.0, fall.risks.1].map(|risk| whole(0.01 * risk));
+    Some(format!(
+        "in {count} of the rows a blow does less than a weaker one beside it, by more than the step \
+         errors; first in row {harder}: {name} {to}, {from} in row {weaker}"
+    ))
 }
 
 /// A varied value as JSON: a number where the field holds one.

@@ -1,7 +1,6 @@
 //! Results as text for a terminal of 80 columns.
 
 use crate::answer::{results::Results, solve::Answer};
-use crate::plain_text::printable;
 use crate::report::figure::{Figure, PARTS, SCALE, cut_signs, error_signs};
 use crate::report::figure::{here_and_in_the_limit, times_its_limit, unusable, with_unit};
 use crate::report::format::{WIDTH, block, paragraph, wrapped};
@@ -23,17 +22,14 @@ const GROUPS: [(&str, &[Group]); 5] = [
 
 pub fn results(scenario: &Scenario, answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
     let eye = &answer.case.eye;
-    writeln!(out, "{}", printable(&scenario.name))?;
-    let (level, nodes, elements) = (eye.level(), eye.regions().len(), eye.elements());
+    let (level, nodes, elements) = (eye.level(), eye.nodes(), eye.elements());
     let (what, kind) = (scenario.description(), eye.rules().element.plural());
-    let spatial = scenario.is_spatial();
-    let (cut, all) = if spatial { (" in the section", " in all") } else { ("", "") };
-    let mesh = format!("mesh level {level}: {nodes} nodes{cut}, {elements} {kind}{all}");
-    paragraph(&format!("{what}; {mesh}"), out)?;
-    writeln!(out)?;
+    let mesh = format!("mesh level {level}: {nodes} nodes, {elements} {kind}");
     risks::text(scenario, answer, out)?;
     writeln!(out)?;
-    damage(answer, out)?;
+    paragraph(&format!("{what}; {mesh}"), out)?;
+    writeln!(out)?;
+    writeln!(out, "{}\n", damage(answer).join("\n"))?;
     // The parts of the index stand above; an object that missed has no force of contact.
     let above = [Quantity::ShellGrowth, Quantity::MeridianGrowth];
     let missed = |of: &Quantity| *of == Quantity::Contact && answer.run.missed;
@@ -112,7 +108,7 @@ fn rebound(scenario: &Scenario, answer: &Answer) -> Vec<String> {
 
 /// A row of a result: its name, the figure, and what else is to be said.
 pub(super) fn row(name: &str, figure: &Figure, more: &str) -> String {
-    let (cell, unit, off) = (figure.cell(), figure.unit, figure.off.to_string());
+    let (cell, (unit, off)) = (figure.cell(), figure.unit_and_error());
     let line = format!("{name:<19} {cell:>8} {unit:<3} {off:<8} {more}");
     let line = line.trim_end();
     let is_long = line.chars().count() > WIDTH;
@@ -123,22 +119,21 @@ pub(super) fn row(name: &str, figure: &Figure, more: &str) -> String {
     }
 }
 
-fn damage(answer: &Answer, out: &mut dyn Write) -> io::Result<()> {
-    if let Some(why) = unusable(answer) {
-        paragraph(&format!("{why}; raw figures:"), out)?;
-    }
-    if let Some(index) = Figure::of(answer, Quantity::Damage) {
-        writeln!(out, "{}", row("Damage index", &index, &format!("({SCALE})")))?;
-    }
+/// The index and its three parts, each beside its limit, a row each.
+pub(super) fn damage(answer: &Answer) -> Vec<String> {
+    let why = unusable(answer).map(|why| wrapped(&format!("{why}; raw figures:"), WIDTH));
+    let mut lines = why.unwrap_or_default();
+    let index = Figure::of(answer, Quantity::Damage);
+    lines.extend(index.map(|index| row("Damage index", &index, &format!("({SCALE})"))));
     for (of, term) in PARTS {
         if let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) {
             let times = times_its_limit(&figure, value, term);
             let limit = with_unit(&term.threshold.to_string(), figure.unit);
             let (name, more) = (format!("  {}", of.row().label), format!("{times} of {limit}"));
-            writeln!(out, "{}", row(&name, &figure, &more))?;
+            lines.push(row(&name, &figure, &more));
         }
     }
-    writeln!(out)
+    lines
 }
 
 /// Prints how far the results may be trusted, and how they were computed.

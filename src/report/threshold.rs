@@ -167,6 +167,7 @@ pub fn json(scenario: &Scenario, search: &ThresholdSearch, threshold: &Threshold
         Err(why) => json!({ "at": at, "refused": why }),
     };
     json!({
+        "program": crate::report::program(),
         "scenario": scenario,
         "vary": {
             "field": search.field.path,

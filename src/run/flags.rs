@@ -1,5 +1,7 @@
 //! What a reader must know before trusting a result, each by name.
 
+use strum::VariantArray;
+
 /// A peak later than this share of the simulated time may still be growing.
 pub(crate) const LATE_PEAK_SHARE: f64 = 0.999;
 
@@ -37,8 +39,30 @@ pub fn has(flags: &[Flag], kind: FlagKind) -> bool {
     flags.iter().any(|flag| flag.kind == kind)
 }
 
+/// Which kinds of flags were raised, without their words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct FlagKinds(u32);
+
+impl FlagKinds {
+    /// Whether one of them was.
+    pub fn contains(self, kind: FlagKind) -> bool {
+        self.0 & 1 << kind as u32 != 0
+    }
+
+    /// Each of them, in the order below.
+    pub fn iter(self) -> impl Iterator<Item = FlagKind> {
+        FlagKind::VARIANTS.iter().copied().filter(move |kind| self.contains(*kind))
+    }
+}
+
+impl FromIterator<FlagKind> for FlagKinds {
+    fn from_iter<I: IntoIterator<Item = FlagKind>>(kinds: I) -> Self {
+        Self(kinds.into_iter().fold(0, |all, kind| all | 1 << kind as u32))
+    }
+}
+
 /// Kinds of flags.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "snake_case")]
 pub enum FlagKind {
     /// A quad of the mesh turned inside out.

@@ -14,6 +14,7 @@ pub mod raised;
 pub mod readings;
 pub mod refusal;
 pub mod result_trace;
+pub mod results;
 pub mod rules;
 pub mod sectors;
 pub(crate) mod threads;

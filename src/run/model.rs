@@ -29,8 +29,13 @@ pub trait EyeModel: Debug + Send + Sync {
     /// The same on the mesh of another level, which may be finer than a scenario may ask for.
     fn at_level(&self, level: u32) -> Arc<dyn EyeModel>;
 
-    /// The part that each node belongs to.
+    /// The part that each node of a frame belongs to.
     fn regions(&self) -> Vec<Region>;
+
+    /// Nodes of the mesh, of which frames may show a section alone.
+    fn nodes(&self) -> usize {
+        self.regions().len()
+    }
 
     /// Springs or cells of the mesh.
     fn elements(&self) -> usize;

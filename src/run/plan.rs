@@ -57,7 +57,7 @@ pub(crate) fn plan_by<E: EyeModel + ?Sized>(
         None => automatic.share * limit,
     };
     let springs = eye.elements_per_evaluation() as f64 * rules.springs_an_element;
-    let evaluations = integrator.method().evaluations() as f64;
+    let evaluations = integrator.evaluations() as f64;
     let work = springs * evaluations * (window / step + 1.0);
     if work > MAX_SPRING_EVALUATIONS {
         let (steps, share) = (window / step, work / MAX_SPRING_EVALUATIONS);

@@ -80,6 +80,8 @@ pub struct Estimate {
     pub order: fn(Integrator) -> i32,
     /// Multiplies the estimate.
     pub safety: f64,
+    /// Multiplies the estimate from a run of twice as many steps.
+    pub doubled_safety: f64,
     /// No result is claimed to be better than this, in %.
     pub floor_percent: f64,
     /// Two runs may give the same peak by chance, so no result of this family, which come from the

@@ -130,6 +130,31 @@ impl Scenario {
         self.physiological().map_or(Side::Right, |model| model.eye_side)
     }
 
+    /// Keeps the nose and the temple where they were `before` at what is now the other eye.
+    pub(super) fn mirror_from(&mut self, before: &Self) {
+        let side = |scenario: &Self| scenario.physiological().map(|model| model.eye_side);
+        let (Some(old), Some(new)) = (side(before), side(self)) else { return };
+        if let (true, Self { impact: Impact::Projectile(object), .. }) = (old != new, self) {
+            for hour in [&mut object.angle_clock, &mut object.offset_clock] {
+                let mirrored = HOURS - *hour;
+                *hour = if mirrored == 0.0 { HOURS } else { mirrored };
+            }
+        }
+    }
+
+    /// Where the blow comes from and what it aims at, in words.
+    pub fn direction(&self) -> String {
+        let words = match &self.impact {
+            Impact::Projectile(object) => object.direction(self.eye_side()),
+            Impact::ForcePulse(pulse) if pulse.angle_deg == 0.0 => None,
+            Impact::ForcePulse(pulse) => {
+                let side = if pulse.angle_deg > 0.0 { "above" } else { "below" };
+                Some(format!("{} deg {side} the apex", plain(pulse.angle_deg.abs())))
+            }
+        };
+        words.unwrap_or_else(|| "straight on".to_owned())
+    }
+
     /// What lies at the top of a section along the path of an object: the side that it comes from,
     /// of an eye in three dimensions whichever of both is higher; none straight on.
     pub fn top(&self) -> Option<&'static str> {

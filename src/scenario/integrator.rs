@@ -1,4 +1,6 @@
-//! The integrators that a scenario may name, or `Auto`; see `models::paper::time::method`.
+//! The integrators that a scenario may name, or `Auto`, with what is asked of them without a step.
+//!
+//! Left out: how each makes a step, which is with the model whose springs it moves.
 
 use crate::scenario::auto::AUTO;
 use serde::{Deserializer, Serializer, de};
@@ -22,9 +24,102 @@ pub enum Integrator {
     Dopri5,
 }
 
+struct IntegratorFacts {
+    name: &'static str,
+    letter: char,
+    about: &'static str,
+    order: i32,
+    evaluations: usize,
+    chooses_its_steps: bool,
+}
+
 impl Integrator {
     /// All integrators.
     pub const ALL: &'static [Self] = <Self as strum::VariantArray>::VARIANTS;
+
+    /// All that is known of it without a step, from the one table.
+    const fn facts(self) -> IntegratorFacts {
+        match self {
+            Self::SemiImplicitEuler => IntegratorFacts {
+                name: "semi-implicit-euler",
+                letter: 'E',
+                about: "The paper's scheme: v += a dt, x += v dt.",
+                order: 1,
+                evaluations: 1,
+                chooses_its_steps: false,
+            },
+            Self::VelocityVerlet => IntegratorFacts {
+                name: "velocity-verlet",
+                letter: 'A',
+                about: "Half a kick, a drift, half a kick: the cheapest where 1 % will do.",
+                order: 2,
+                evaluations: 1,
+                chooses_its_steps: false,
+            },
+            Self::Srkn6b => IntegratorFacts {
+                name: "srkn6b",
+                letter: 'B',
+                about: "Blanes and Moan's symmetric composition of six stages: takes most answers.",
+                order: 4,
+                evaluations: 6,
+                chooses_its_steps: false,
+            },
+            Self::Srkn11b => IntegratorFacts {
+                name: "srkn11b",
+                letter: 'N',
+                about: "Blanes and Moan's symmetric composition of eleven stages: the most accurate.",
+                order: 6,
+                evaluations: 11,
+                chooses_its_steps: false,
+            },
+            Self::Rk4 => IntegratorFacts {
+                name: "rk4",
+                letter: 'R',
+                about: "The classical Runge-Kutta method, in equal steps.",
+                order: 4,
+                evaluations: 4,
+                chooses_its_steps: false,
+            },
+            Self::Dopri5 => IntegratorFacts {
+                name: "dopri5",
+                letter: 'D',
+                about: "The Dormand-Prince pair 5(4), which chooses its own steps.",
+                order: 5,
+                evaluations: 6,
+                chooses_its_steps: true,
+            },
+        }
+    }
+
+    /// Name as typed on the command line.
+    pub const fn name(self) -> &'static str {
+        self.facts().name
+    }
+
+    /// The capital that stands for it on plots.
+    pub const fn letter(self) -> char {
+        self.facts().letter
+    }
+
+    /// What it is, for people, in one sentence.
+    pub const fn about(self) -> &'static str {
+        self.facts().about
+    }
+
+    /// Order of convergence: the error falls with this power of the step.
+    pub const fn order(self) -> i32 {
+        self.facts().order
+    }
+
+    /// Force evaluations a step, with one that consecutive steps share counted once.
+    pub const fn evaluations(self) -> usize {
+        self.facts().evaluations
+    }
+
+    /// Whether it chooses its own step lengths.
+    pub const fn chooses_its_steps(self) -> bool {
+        self.facts().chooses_its_steps
+    }
 
     /// Its name as a scenario spells it, as in `VelocityVerlet`.
     pub fn spelling(self) -> &'static str {
@@ -74,5 +169,19 @@ impl de::Visitor<'_> for ChoiceVisitor {
     fn visit_str<E: de::Error>(self, name: &str) -> Result<Self::Value, E> {
         let named = choices().find(|choice| spelling(*choice) == name);
         named.ok_or_else(|| E::unknown_variant(name, &SPELLINGS))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integrators_are_told_apart_by_name_and_letter() {
+        for (i, one) in Integrator::ALL.iter().enumerate() {
+            for other in &Integrator::ALL[..i] {
+                assert!(one.name() != other.name() && one.letter() != other.letter());
+            }
+        }
     }
 }

@@ -81,9 +81,24 @@ pub fn full_path<'a>(scenario: &Scenario, typed: &'a str) -> &'a str {
     if let [only] = fitting(scenario, typed)[..] { only.path } else { typed }
 }
 
-/// Puts changes of the model first: a word such as the nose means a place of the eye in the end.
-pub fn model_first<T>(scenario: &Scenario, changes: &mut [T], path: impl Fn(&T) -> &str) {
-    changes.sort_by_key(|change| !full_path(scenario, path(change)).starts_with("model"));
+/// Fields of a direction that a word for it stands for.
+const OF_DIRECTION: [&str; 4] =
+    ["impact.angle_deg", "impact.angle_clock", "impact.offset_mm", "impact.offset_clock"];
+
+/// Puts changes in the order in which they mean the same however they were given: the model first,
+/// since a word such as the nose means a place of the eye in the end, and a word for a direction
+/// before the numbers of it, which say more.
+pub fn in_order<T>(scenario: &Scenario, changes: &mut [T], path: impl Fn(&T) -> &str) {
+    let full = |change: &T| full_path(scenario, path(change)).to_owned();
+    changes.sort_by_cached_key(|change| !full(change).starts_with("model"));
+    let first = changes.iter().position(|change| OF_DIRECTION.contains(&full(change).as_str()));
+    let word = changes.iter().rposition(|change| full(change) == "impact.from");
+    if let (Some(first), Some(word)) = (first, word)
+        && first < word
+        && !changes[first..word].iter().any(|change| full(change) == "impact")
+    {
+        changes[first..=word].rotate_right(1);
+    }
 }
 
 /// The fields that end as typed, else those that do but for their unit; first what is there.
@@ -116,6 +131,18 @@ fn fitting(scenario: &Scenario, typed: &str) -> Vec<&'static Field> {
 /// # Errors
 /// Says what is wrong with the path, or with the value and what would be accepted.
 pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), ScenarioError> {
+    set_one_of_several(scenario, path, text).map(|()| settle(scenario))
+}
+
+/// As [`set`] for one of several changes, [in their order](in_order), after which comes [`settle`].
+///
+/// # Errors
+/// As [`set`].
+pub fn set_one_of_several(
+    scenario: &mut Scenario,
+    path: &str,
+    text: &str,
+) -> Result<(), ScenarioError> {
     let path = full_path(scenario, path);
     let text = text.trim();
     let mut changed = scenario.clone();
@@ -138,8 +165,7 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
     forget_doubts(&mut changed, scenario);
     check_inside(&changed, path)?;
     near_zero_is_zero(&mut changed);
-    changed.impact.by_the_clock();
-    direction_is_known(&mut changed);
+    changed.mirror_from(scenario);
     confirm(&mut changed, path);
     if let Some(field) = field {
         naming::follow(&mut changed, scenario, field);
@@ -148,8 +174,10 @@ pub fn set(scenario: &mut Scenario, path: &str, text: &str) -> Result<(), Scenar
     Ok(())
 }
 
-/// Whoever gives an angle or an offset knows where the blow came from.
-fn direction_is_known(scenario: &mut Scenario) {
+/// Turns an angle below 0 to the other side of the clock, once every change is made: the hour may
+/// be one of them. Whoever gives an angle or an offset knows where the blow came from.
+pub fn settle(scenario: &mut Scenario) {
+    scenario.impact.by_the_clock();
     if let Some(projectile) = scenario.projectile_mut()
         && !projectile.is_straight_on()
     {
@@ -165,16 +193,25 @@ fn confirm(scenario: &mut Scenario, path: &str) {
     }
 }
 
-/// Puts a number, unchecked, into its field as a person does; any doubt of it stays.
+/// Puts numbers, unchecked, into their fields as a person does; any doubts of them stay.
+pub(crate) fn put_numbers<'a>(
+    scenario: &mut Scenario,
+    numbers: impl IntoIterator<Item = (&'a Field, f64)>,
+) {
+    for (field, value) in numbers {
+        match &field.kind {
+            Kind::Number(_, place) => store((place.get_mut)(scenario), Some(value)),
+            Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), Some(Some(value))),
+            _ => continue,
+        };
+        confirm(scenario, field.path);
+    }
+    settle(scenario);
+}
+
+/// Puts one number, unchecked, into its field as a person does; any doubt of it stays.
 pub(crate) fn put_number(scenario: &mut Scenario, field: &Field, value: f64) {
-    match &field.kind {
-        Kind::Number(_, place) => store((place.get_mut)(scenario), Some(value)),
-        Kind::OptionalNumber(_, place) => store((place.get_mut)(scenario), Some(Some(value))),
-        _ => return,
-    };
-    scenario.impact.by_the_clock();
-    direction_is_known(scenario);
-    confirm(scenario, field.path);
+    put_numbers(scenario, [(field, value)]);
 }
 
 /// Drops the doubts of fields that the scenario had `before` and has no longer.

@@ -375,8 +375,8 @@ mod tests {
     #[test]
     fn keys_that_clash_are_refused_by_name() {
         assert_eq!(
-            complaint("(\n keys: (undo: \"s\"),\n)"),
-            "config.ron:2:15: keys.undo: \"s\" is taken by `save` (save as a preset of your own): \
+            complaint("(\n keys: (undo: \"p\"),\n)"),
+            "config.ron:2:15: keys.undo: \"p\" is taken by `presets` (open a preset): \
              choose another key, or another one for that"
         );
     }

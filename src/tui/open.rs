@@ -1,6 +1,7 @@
 //! Opening the app: what is worked on first, and what can be opened later.
 
 use std::io::{self, IsTerminal};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -9,20 +10,22 @@ use clap::Args;
 use crate::plain_text::quoted;
 use crate::scenario::library::resolve;
 use crate::scenario::problem::{Problem, ScenarioError};
+use crate::scenario::set::set;
+use crate::tui::changing::called;
 use crate::tui::form::{ScenarioForm, strength};
-use crate::tui::picker::{Choice, Picker, choices};
+use crate::tui::picker::{Choice, LAST, Picker, choices};
 use crate::tui::terminal::caps::{ColorFlag, Symbols, depth, symbols};
 use crate::tui::{app::App, config::Config, look::Look, model::AppModel, overlay::Overlay};
 use crate::tui::{guest, saved_session, screens::SCREENS, terminal};
 use crate::tui::{saved_session::SavedSession, view::palette::Palette, work::Work};
 
-/// What is opened if nothing is asked for.
-pub(super) const FIRST: &str = "paper-300n";
+/// What is opened if nothing is asked for: an object, as one is what most come with.
+pub(super) const FIRST: &str = "squash-ball";
 
 /// What the app is opened on, and how.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Presets or files; several are marked for comparison
+    /// Presets or files, as in squash-ball@30; several are marked for comparison
     #[arg(value_name = "PRESET|FILE.ron")]
     pub sources: Vec<String>,
     /// For guests on a shared host: no file is read or written, and memory, priority, meshes and
@@ -128,6 +131,10 @@ pub(crate) fn run(
     if guest.is_some() {
         welcome(&mut app.model, sources)?;
     }
+    if sources.is_empty() {
+        let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
+        app.model.overlay = Some(Overlay::Picker(picker));
+    }
     app.model.mouse = flags.mouse || config.mouse;
     app.model.idle = config.idle;
     app.model.keys = config.keys;
@@ -148,7 +155,7 @@ pub(crate) fn run(
     Ok(ExitCode::from(code))
 }
 
-/// The app, going on where the app was left; the first time it asks what hit the eye.
+/// The app, going on where the app was left, which stands on top of what can be opened.
 fn resume(look: Look) -> Result<App, ScenarioError> {
     let (saved, changed) = match saved_session::read() {
         Ok(Some(saved)) => saved,
@@ -156,9 +163,6 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
             let mut app = prepare(&[], look)?;
             if let Err(error) = nothing {
                 app.model.notice = Some(format!("where you left off cannot be read: {error}"));
-            } else {
-                let picker = Picker { first: true, ..Picker::at(&app.model.choices, "") };
-                app.model.overlay = Some(Overlay::Picker(picker));
             }
             return Ok(app);
         }
@@ -174,12 +178,17 @@ fn resume(look: Look) -> Result<App, ScenarioError> {
     if let Some(changed) = changed {
         app.model.work.scenario = changed;
         if gone {
-            app.model.notice = Some(format!("what you made of {source} is here: s saves it"));
+            app.model.notice = Some(format!("what you made of {source} is here: Ctrl-S saves it"));
             app.model.work.source = saved.source;
             app.model.work.original = None;
         }
     }
     app.show(screen);
+    let work = &app.model.work;
+    let name = work.original.as_ref().map(|of| called(work.name(), of, &work.scenario));
+    let name = name.unwrap_or_else(|| work.name().to_owned());
+    let last = Choice { name, scenario: Ok(work.scenario.clone()), origin: LAST };
+    app.model.choices.insert(0, last);
     Ok(app)
 }
 
@@ -197,6 +206,15 @@ fn welcome(model: &mut AppModel, sources: &[String]) -> Result<(), ScenarioError
     Ok(())
 }
 
+/// A preset or file, and the speed or force behind an `@`.
+fn with_speed(typed: &str) -> (&str, Option<&str>) {
+    let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    match typed.rsplit_once('@').filter(|(_, speed)| is_number(speed)) {
+        Some((source, speed)) if !Path::new(typed).is_file() => (source, Some(speed)),
+        _ => (typed, None),
+    }
+}
+
 /// The app, working on the first of the sources and comparing them if there are several.
 ///
 /// # Errors
@@ -206,14 +224,19 @@ pub fn prepare(sources: &[String], look: Look) -> Result<App, ScenarioError> {
     let sources = if sources.is_empty() { &first[..] } else { sources };
     let mut choices = choices();
     let mut works = Vec::new();
-    for source in sources {
+    for typed in sources {
+        let (source, speed) = with_speed(typed);
         let scenario = resolve(source)?;
         if !choices.iter().any(|choice| choice.name == *source) {
             let scenario = Ok(scenario.clone());
-            let choice = Choice { name: source.clone(), scenario, origin: "file" };
+            let choice = Choice { name: source.to_owned(), scenario, origin: "file" };
             choices.insert(works.len().min(choices.len()), choice);
         }
-        works.push(Work::fresh(source, &scenario));
+        let mut work = Work::fresh(source, &scenario);
+        if let (Some(speed), Some(field)) = (speed, strength(&scenario).field()) {
+            set(&mut work.scenario, field.path, speed)?;
+        }
+        works.push(work);
     }
     let work = works[0].clone();
     let form = ScenarioForm { selected: strength(&work.scenario), ..ScenarioForm::default() };

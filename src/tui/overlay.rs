@@ -28,9 +28,6 @@ pub enum Naming {
     Rename(String),
 }
 
-/// Bytes of a page from which on it is asked first.
-pub const MEGABYTE: usize = 1_000_000;
-
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Prompt {
@@ -42,7 +39,7 @@ pub enum Prompt {
     Hide(String),
     /// Take over this scenario's mesh level, integrator and step? The words say what it costs.
     Adopt(String, Box<Scenario>),
-    /// Write this page, with the beginning of its file's name, though it is large?
+    /// Write this page, with the beginning of its file's name?
     Page(String, Vec<u8>),
     /// Quit without saving? Whether the next start brings the changes back.
     Quit(bool),
@@ -75,7 +72,7 @@ impl Prompt {
             ),
             Self::Page(stem, text) => {
                 let folder = std::env::current_dir().unwrap_or_default();
-                let size = text.len() as f64 / MEGABYTE as f64;
+                let size = text.len() as f64 / 1e6;
                 format!("{stem}.html of {size:.1} MB goes into {}. Write it?", folder.display())
             }
             Self::Adopt(words, _) => words.clone(),

@@ -16,6 +16,8 @@ pub struct Choice {
     pub origin: &'static str,
 }
 
+/// The origin of the last blow, as it was left: on top of the list at the start, and only then.
+pub const LAST: &str = "last";
 /// The most presets of a person's own that the app holds and saves.
 pub const MAX_OWN: usize = 1000;
 
@@ -52,7 +54,7 @@ pub struct Picker {
     pub row: usize,
     /// The places in the list of choices that are shown, the first on top.
     pub shown: Vec<usize>,
-    /// Whether it asks what hit the eye, which it does once.
+    /// Whether it asks what hit the eye, as it does at the start.
     pub first: bool,
     /// The names that are marked already, where it marks what it finds.
     pub marked: Option<Vec<String>>,
@@ -77,17 +79,30 @@ impl Picker {
             return;
         }
         let near = |at: &usize| Some((nearness(&words, &text(&choices[*at]))?, *at));
-        let mut found: Vec<(f64, usize)> = self.shown.iter().filter_map(near).collect();
+        // Who types a name wants the preset, not what was made of it.
+        let presets = self.shown.iter().filter(|at| choices[**at].origin != LAST);
+        let mut found: Vec<(f64, usize)> = presets.filter_map(near).collect();
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         self.shown = found.into_iter().map(|(_, at)| at).collect();
     }
 
-    /// What is searched for, and the speed or force behind an `@`.
+    /// What is searched for, and the speed or force behind an `@`: of several the last.
     pub fn typed(&self) -> (&str, Option<&str>) {
-        match self.input.value().split_once('@') {
-            Some((name, strength)) => (name, Some(strength.trim()).filter(|it| !it.is_empty())),
-            None => (self.input.value(), None),
-        }
+        parts(self.input.value()).last().map_or(("", None), |part| named(part))
+    }
+
+    /// Several that are typed at once, as [`Self::typed`] has one: parted by commas, or by spaces
+    /// where more than one has an `@`; nothing where it is one.
+    pub fn several(&self) -> Vec<(&str, Option<&str>)> {
+        let parts = parts(self.input.value());
+        if parts.len() > 1 { parts.into_iter().map(named).collect() } else { Vec::new() }
+    }
+
+    /// The place of the choice that a name finds first.
+    pub fn place(choices: &[Choice], name: &str) -> Option<usize> {
+        let mut picker = Self { input: TextLine::of(name.to_owned()), ..Self::default() };
+        picker.search(choices);
+        picker.shown.first().copied()
     }
 
     /// The choice with the cursor.
@@ -101,13 +116,32 @@ impl Picker {
     }
 }
 
+/// The names in a text, each with what stands behind it.
+fn parts(text: &str) -> Vec<&str> {
+    let comma = |c: char| matches!(c, ',' | ';');
+    let parts: Vec<&str> = match text.matches('@').count() {
+        2.. if !text.contains(comma) => text.split_whitespace().collect(),
+        _ => text.split(comma).collect(),
+    };
+    parts.into_iter().map(str::trim).filter(|part| !part.is_empty()).collect()
+}
+
+/// A name, and the speed or force behind an `@`.
+fn named(text: &str) -> (&str, Option<&str>) {
+    match text.split_once('@') {
+        Some((name, strength)) => (name.trim(), Some(strength.trim()).filter(|it| !it.is_empty())),
+        None => (text, None),
+    }
+}
+
 /// What comes first.
 fn rank(choice: &Choice) -> u8 {
     match (&choice.scenario, choice.origin) {
-        (_, "own") => 0,
-        (_, "file") => 1,
-        (Ok(scenario), _) if matches!(scenario.impact, Impact::Projectile(_)) => 2,
-        _ => 3,
+        (_, LAST) => 0,
+        (_, "own") => 1,
+        (_, "file") => 2,
+        (Ok(scenario), _) if matches!(scenario.impact, Impact::Projectile(_)) => 3,
+        _ => 4,
     }
 }
 
@@ -173,6 +207,19 @@ mod tests {
     }
 
     #[test]
+    fn several_names_are_parted_by_commas_or_by_their_speeds() {
+        let typed = |text: &str| {
+            let picker = Picker { input: TextLine::of(text.to_owned()), ..Picker::default() };
+            let several = picker.several().into_iter();
+            several.map(|(name, at)| format!("{name}/{}", at.unwrap_or("-"))).collect::<Vec<_>>()
+        };
+        let three = ["squash ball/30", "paintball/80", "bb/-"];
+        assert_eq!(typed("squash ball@30, paintball@80 ; bb"), three);
+        assert_eq!(typed("squash@30 paintball@80"), ["squash/30", "paintball/80"]);
+        assert!(typed("squash ball@30").is_empty() && typed("squash@30,").is_empty());
+    }
+
+    #[test]
     fn objects_come_before_forces_and_ones_own_before_both() {
         let mut choices = choices();
         let mut own = choices[0].clone();
@@ -181,7 +228,19 @@ mod tests {
         choices.push(own);
         let picker = Picker::at(&choices, "nowhere");
         let ranks: Vec<u8> = picker.shown.iter().map(|at| rank(&choices[*at])).collect();
-        assert!(ranks.is_sorted() && ranks[0] == 0 && ranks.contains(&2) && ranks.contains(&3));
+        assert!(ranks.is_sorted() && ranks[0] == 1 && ranks.contains(&3) && ranks.contains(&4));
         assert_eq!(picker.chosen(&choices).unwrap().name, "zebra");
+    }
+
+    #[test]
+    fn the_last_blow_stands_on_top_and_is_not_what_a_name_finds() {
+        let mut choices = choices();
+        let squash = choices.iter().find(|choice| choice.name == "squash-ball").unwrap().clone();
+        choices.insert(0, Choice { name: "squash-ball@30".to_owned(), origin: LAST, ..squash });
+        let mut picker = Picker::at(&choices, "");
+        assert_eq!(picker.chosen(&choices).unwrap().name, "squash-ball@30");
+        picker.input = TextLine::of("squash".to_owned());
+        picker.search(&choices);
+        assert_eq!(picker.chosen(&choices).unwrap().name, "squash-ball");
     }
 }

@@ -1,5 +1,6 @@
 //! What is being worked on, and where it came from.
 
+use crate::report::compare::brief;
 use crate::scenario::Scenario;
 
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -38,9 +39,4 @@ impl Work {
     pub fn with(&self, scenario: Scenario) -> Self {
         Self { scenario, ..self.clone() }
     }
-}
-
-/// The name of a preset, or the last part of a file's path.
-pub fn brief(source: &str) -> &str {
-    source.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("")
 }

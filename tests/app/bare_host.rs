@@ -101,7 +101,7 @@ fn over_ssh_the_app_opens_on_a_bare_root_without_a_locale() {
     term.keys(&format!("{}{}", pty::TO_FORCE, pty::RIGHT));
     term.wait_for("310 N");
     term.keys("u");
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();

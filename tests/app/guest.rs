@@ -43,7 +43,7 @@ fn listing(folder: &Path) -> Vec<(PathBuf, u64, std::time::SystemTime)> {
 fn server(home: &Path, minutes: &str) -> Option<Server> {
     let home = home.display();
     Server::start(&format!(
-        "cd {home} && HOME={home} XDG_CONFIG_HOME={home} exec {APP} tui --guest --idle-minutes {minutes}"
+        "cd {home} && HOME={home} XDG_CONFIG_HOME={home} exec {APP} tui paper-300n --guest --idle-minutes {minutes}"
     ))
 }
 
@@ -85,10 +85,10 @@ fn a_guest_tries_everything_and_no_file_appears_and_none_is_read() {
     let mut client = server.client(server.port, false);
     client.arg(format!("touch {}/touched", home.path().display()));
     let mut term = Term::open(client, (120, 40), Replies::Prompt);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     let is_braille = |c: char| ('\u{2801}'..='\u{28ff}').contains(&c);
     assert!(term.text().contains(is_braille), "the config file was read");
-    term.keys("s");
+    term.keys("\x13");
     term.wait_for("a guest saves nothing");
     term.keys("p");
     term.wait_for("air-rifle-pellet");
@@ -166,7 +166,7 @@ fn twenty_guests_at_once_stay_within_what_the_guide_says() {
     let client = || Term::start(server.client(server.port, false));
     let terms: Vec<Term> = (0..20).map(|_| client()).collect();
     for term in &terms {
-        term.wait_for("Index 26");
+        term.wait_for("damage 26 %");
         term.keys(&format!("{TO_FORCE}{RIGHT}"));
     }
     for term in &terms {
@@ -194,7 +194,7 @@ fn a_guest_who_types_without_end_sees_frames_stays_small_and_leaves_at_once() {
     let command = || pty::app(&["tui", "--guest", "paper-300n"]);
     let mut terms: Vec<Term> = (0..GUESTS).map(|_| Term::start(command())).collect();
     for term in &terms {
-        term.wait_for("Index 26");
+        term.wait_for("damage 26 %");
     }
     let kilobytes = |term: &Term| -> u64 {
         let used = status(term.pid(), "VmRSS");

@@ -28,7 +28,9 @@ fn q_and_control_c_leave_a_clean_terminal() {
 
 #[test]
 fn a_termination_signal_leaves_a_clean_terminal() {
-    for (name, code) in [("TERM", 143), ("INT", 130), ("HUP", 129), ("USR1", 138), ("ALRM", 142)] {
+    let asked = [("TERM", 143), ("INT", 130), ("HUP", 129), ("USR1", 138), ("USR2", 140)];
+    let clocks = [("ALRM", 142), ("XCPU", 152), ("PROF", 155)];
+    for (name, code) in asked.into_iter().chain(clocks) {
         let mut term = started();
         term.signal(name);
         assert_eq!(term.exit_code(), code);
@@ -38,8 +40,8 @@ fn a_termination_signal_leaves_a_clean_terminal() {
 
 #[test]
 fn an_abort_leaves_a_clean_terminal_and_says_so() {
-    let mut term = Term::start(app(&["--mouse"]));
-    term.wait_for("Index 26");
+    let mut term = Term::start(app(&["tui", "paper-300n", "--mouse"]));
+    term.wait_for("damage 26 %");
     term.signal("ABRT");
     term.exit_code();
     term.assert_restored();
@@ -59,7 +61,7 @@ fn memory(pid: u32, name: &str) -> u64 {
 #[test]
 fn a_failed_allocation_leaves_a_clean_terminal_and_says_so() {
     let mut term = started();
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.settle();
     // As by `ulimit -d`, once everything has begun.
     let limit = memory(term.pid(), "VmData");
@@ -81,7 +83,7 @@ fn a_signal_ends_the_app_while_the_terminal_does_not_read() {
     for twice in [false, true] {
         let size = PtySize { rows: 200, cols: 500, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(size).unwrap();
-        let command = app(&["tui", "--color", "256", "--symbols", "block"]);
+        let command = app(&["tui", "paper-300n", "--color", "256", "--symbols", "block"]);
         let mut child = pair.slave.spawn_command(command).unwrap();
         drop(pair.slave);
         let pid = child.process_id().unwrap();
@@ -112,10 +114,10 @@ fn a_signal_ends_the_app_while_the_terminal_does_not_read() {
 
 #[test]
 fn a_panic_leaves_a_clean_terminal_and_says_what_happened() {
-    let mut command = app(&["tui", "--fail-on", "X"]);
+    let mut command = app(&["tui", "paper-300n", "--fail-on", "X"]);
     command.env("RUST_BACKTRACE", "0");
     let mut term = Term::start(command);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("X");
     assert_eq!(term.exit_code(), 101);
     term.assert_restored();
@@ -130,8 +132,8 @@ fn the_shell_can_stop_the_app_and_go_on_with_it() {
     shell.env("PS1", "ready> ");
     let term = Term::start(shell);
     term.wait_for("ready> ");
-    term.keys(&format!("{} tui\r", env!("CARGO_BIN_EXE_contrecoup")));
-    term.wait_for("Index 26");
+    term.keys(&format!("{} tui paper-300n\r", env!("CARGO_BIN_EXE_contrecoup")));
+    term.wait_for("damage 26 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");
     term.keys("\x1a");
@@ -183,7 +185,7 @@ fn a_hang_up_ends_the_app_even_where_the_signal_is_ignored() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("pid");
         let line = format!(
-            "{before} stty cols 80 rows 24; echo $$ > {}; exec {} tui",
+            "{before} stty cols 80 rows 24; echo $$ > {}; exec {} tui paper-300n",
             file.display(),
             env!("CARGO_BIN_EXE_contrecoup")
         );
@@ -211,12 +213,12 @@ fn a_hang_up_ends_the_app_even_where_the_signal_is_ignored() {
 #[test]
 fn no_reply_is_left_for_whoever_reads_the_terminal_next() {
     let mut shell = CommandBuilder::new("sh");
-    let line = format!("{} tui; echo over; cat", env!("CARGO_BIN_EXE_contrecoup"));
+    let line = format!("{} tui paper-300n; echo over; cat", env!("CARGO_BIN_EXE_contrecoup"));
     shell.args(["-c", &line]);
     plain(&mut shell);
     let late = Replies::Late(Duration::from_millis(250));
     let term = Term::open(shell, (80, 24), late);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("\x1b2");
     term.wait_for("Node force");
     term.keys("1q");
@@ -233,10 +235,10 @@ fn mouse(button: u16, column: u16, row: u16) -> String {
 #[test]
 fn the_mouse_is_switched_off_by_every_way_out() {
     let start = || {
-        let mut command = app(&["--mouse", "--fail-on", "X"]);
+        let mut command = app(&["tui", "paper-300n", "--mouse", "--fail-on", "X"]);
         command.env("RUST_BACKTRACE", "0");
         let term = Term::start(command);
-        term.wait_for("Index 26");
+        term.wait_for("damage 26 %");
         term.assert_mouse(true);
         term
     };
@@ -270,8 +272,8 @@ fn suspending_gives_the_mouse_back_and_loses_no_key() {
     let late = Replies::Late(Duration::from_millis(600));
     let term = Term::open(shell, (80, 24), late);
     term.wait_for("ready> ");
-    term.keys(&format!("{} --mouse\r", env!("CARGO_BIN_EXE_contrecoup")));
-    term.wait_for("Index 26");
+    term.keys(&format!("{} tui paper-300n --mouse\r", env!("CARGO_BIN_EXE_contrecoup")));
+    term.wait_for("damage 26 %");
     term.settle();
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");

@@ -6,6 +6,7 @@ mod guest;
 mod guide;
 mod leaving;
 mod monkey;
+mod one_answer;
 mod over_ssh;
 mod saving;
 mod screens;

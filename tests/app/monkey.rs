@@ -149,7 +149,7 @@ fn thousands_of_random_inputs_leave_the_app_in_order() {
             heat: dice.one(&[HeatMap::Hot, HeatMap::Cividis]),
             palette: Palette { light: dice.one(&[false, true]), ..Palette::default() },
         };
-        let mut app = prepare(&[], look).unwrap();
+        let mut app = prepare(&["paper-300n".to_owned()], look).unwrap();
         let effects = begin(&mut app);
         settle(&mut app, &mut dice, effects);
         let mut now = Duration::ZERO;
@@ -203,7 +203,7 @@ fn random_keys_and_sizes_in_a_terminal_end_in_a_clean_one() {
     let mut command = app(&["tui", "paper-300n", "--mouse"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::open(command, (80, 24), Replies::Prompt);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     let pieces = [
         "\x1b[A",
         "\x1b[B",
@@ -229,7 +229,7 @@ fn random_keys_and_sizes_in_a_terminal_end_in_a_clean_one() {
         "a",
         "u",
         "r",
-        "s",
+        "\x13",
         "p",
         "?",
         "M",

@@ -19,12 +19,15 @@ fn counted(server: &Server, compressed: bool) -> (Term, Arc<AtomicUsize>) {
     let count = Arc::new(AtomicUsize::new(0));
     let port = link(server.port, None, Duration::ZERO, Arc::clone(&count));
     let term = Term::start(server.client(port, compressed));
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     (term, count)
 }
 
 fn app_server() -> Option<Server> {
-    Server::start(&format!("XDG_CONFIG_HOME={HOME} {} tui", env!("CARGO_BIN_EXE_contrecoup")))
+    Server::start(&format!(
+        "XDG_CONFIG_HOME={HOME} {} tui paper-300n",
+        env!("CARGO_BIN_EXE_contrecoup")
+    ))
 }
 
 /// Passes bytes on after `delay`, at no more than `rate` bytes a second.
@@ -89,11 +92,11 @@ fn the_app_starts_answers_keys_and_leaves_through_ssh() {
     term.resize(80, 24);
     // Without a shell there is nothing to stop for: the app stays.
     term.keys("1");
-    term.wait_for("How bad?");
+    term.wait_for("damage ");
     term.keys("\x1a");
     // No key is lost while the app finds that out.
     term.keys("u");
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     term.assert_restored();
@@ -104,7 +107,8 @@ fn a_dropped_connection_leaves_no_process_behind() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("pid");
     let app = env!("CARGO_BIN_EXE_contrecoup");
-    let command = format!("echo $$ > {}; XDG_CONFIG_HOME={HOME} exec {app} tui", file.display());
+    let command =
+        format!("echo $$ > {}; XDG_CONFIG_HOME={HOME} exec {app} tui paper-300n", file.display());
     let Some(server) = Server::start(&command) else {
         return;
     };
@@ -163,7 +167,7 @@ fn through_ssh_replay_frames_keep_their_budget_in_every_number_of_colours() {
     thread::scope(|all| {
         for colours in ["never", "16", "256"] {
             let app = env!("CARGO_BIN_EXE_contrecoup");
-            let command = format!("XDG_CONFIG_HOME={HOME} {app} --color {colours}");
+            let command = format!("XDG_CONFIG_HOME={HOME} {app} tui paper-300n --color {colours}");
             all.spawn(move || {
                 let Some(server) = Server::start(&command) else {
                     return;
@@ -206,7 +210,7 @@ fn over_a_narrow_link_a_key_is_answered_while_a_replay_plays() {
     let round_trip = Duration::from_millis(200);
     let port = link(server.port, Some(8000.0), round_trip, Arc::default());
     let term = Term::open(server.client(port, false), (80, 24), Replies::Prompt);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("\x1b2--");
     term.wait_for("Node force");
     term.keys(" ");

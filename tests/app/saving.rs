@@ -4,7 +4,7 @@ use crate::skip;
 use std::fs;
 use std::process::Command;
 
-use crate::pty::{DOWN, RIGHT, TO_FORCE, Term, app, plain};
+use crate::pty::{RIGHT, TO_FORCE, Term, app, plain};
 use portable_pty::CommandBuilder;
 
 #[test]
@@ -13,7 +13,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(command);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
     // Unsaved work is not lost without a question.
@@ -21,7 +21,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     term.wait_for("not saved");
     term.keys("n");
     term.wait_without("not saved");
-    term.keys("s");
+    term.keys("\x13");
     term.wait_for("Name");
     term.keys("\x15mine\r");
     term.wait_for("saved as mine");
@@ -29,7 +29,7 @@ fn a_preset_is_saved_and_replaced_only_when_told() {
     assert!(fs::read_to_string(&file).unwrap().contains("force_n: 310.0"));
     term.keys(RIGHT);
     term.wait_for("320 N");
-    term.keys("s");
+    term.keys("\x13");
     term.wait_for("Name");
     term.keys("\r");
     term.wait_for("mine already");
@@ -62,10 +62,10 @@ fn a_full_disk_is_explained_and_the_old_preset_survives() {
     let mut command = app(&["tui", "mine"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("mine *");
-    term.keys("s");
+    term.keys("\x13");
     term.wait_for("Name");
     term.keys("\r");
     term.wait_for("mine already");
@@ -90,10 +90,10 @@ fn a_limit_of_file_sizes_is_explained_and_ends_nothing() {
     plain(&mut shell);
     shell.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(shell);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
-    term.keys("s");
+    term.keys("\x13");
     term.wait_for("Name");
     term.keys("\x15mine\r");
     term.wait_for("not saved: File too large");
@@ -118,8 +118,8 @@ fn a_folder_that_cannot_be_made_is_explained() {
     let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", "/dev/null");
     let mut term = Term::start(command);
-    term.wait_for("Index 26");
-    term.keys("s");
+    term.wait_for("damage 26 %");
+    term.keys("\x13");
     term.wait_for("Name");
     let long = "n".repeat(60);
     term.keys(&format!("\x15{long}\r"));
@@ -152,8 +152,8 @@ fn the_app_holds_a_thousand_presets_of_ones_own_and_says_so_of_more() {
     let mut command = app(&["tui", "paper-300n", "--color", "never"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
-    term.wait_for("Index 26");
-    term.keys("s");
+    term.wait_for("damage 26 %");
+    term.keys("\x13");
     term.wait_for("Name");
     term.keys("\x15another\r");
     term.wait_for("1000 presets of your own are there");
@@ -172,10 +172,10 @@ fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
     let mut command = app(&["tui", "paper-300n"]);
     command.env("XDG_CONFIG_HOME", home.path());
     let mut term = Term::start(command);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("paper-300n *");
-    term.keys("s");
+    term.keys("\x13");
     term.wait_for("Name");
     term.keys("\x15my blow\r");
     term.wait_for("saved as my blow");
@@ -211,6 +211,7 @@ fn a_preset_of_ones_own_is_renamed_and_removed_in_the_list() {
     command.env("XDG_CONFIG_HOME", home.path());
     let term = Term::start(command);
     term.wait_for("what you made of mine is here");
+    term.keys("\x1b");
     term.wait_for("310 N");
     term.wait_for("mine *");
 }
@@ -239,7 +240,10 @@ fn the_first_start_asks_what_hit_the_eye_and_later_ones_go_on_where_one_left_off
     term.wait_for("again next time");
     term.keys("y");
     assert_eq!(term.exit_code(), 0);
+    // The last blow is on top of what can be opened, and Enter goes on with it.
     let mut term = open();
+    term.wait_for("squash-ball@55");
+    term.keys("\r");
     term.wait_for("cursor");
     term.keys("\x1b1");
     term.wait_for("55 m/s");
@@ -251,8 +255,9 @@ fn the_first_start_asks_what_hit_the_eye_and_later_ones_go_on_where_one_left_off
     fs::write(&file, "(screen: ").unwrap();
     let term = open();
     term.wait_for("where you left off cannot be read");
-    term.keys(DOWN);
-    term.wait_for("paper-300n");
+    term.keys("\x1b");
+    term.wait_without("What hit the eye?");
+    term.wait_for("squash-ball");
 }
 
 #[test]
@@ -286,7 +291,7 @@ fn hostile_files_in_the_folder_of_the_app_reach_no_terminal() {
         let mut term = Term::start(command);
         term.wait_for(said);
         // The list of presets finds it by its title.
-        term.keys("pmine");
+        term.keys("mine");
         term.wait_for("a\\u{9b}2J");
         term.keys("\x03");
         assert_eq!(term.exit_code(), 130);
@@ -297,6 +302,6 @@ fn hostile_files_in_the_folder_of_the_app_reach_no_terminal() {
         assert!(!raw.contains(blink), "{raw:?}");
         // What cannot be read makes room for what can.
         let kept = fs::read_to_string(folder.join("last.ron")).unwrap();
-        assert!(kept.contains("source: \"paper-300n\""), "{kept}");
+        assert!(kept.contains("source: \"squash-ball\""), "{kept}");
     }
 }

@@ -95,7 +95,7 @@ fn screens_of_256_colours_and_of_none() {
 #[test]
 fn the_picture_of_the_readme_shows_the_main_screen() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pictures/main.svg");
-    let app = app_by(&[], Depth::TwoFiveSix, anatomy::solved);
+    let app = app_by(&["squash-ball"], Depth::TwoFiveSix, anatomy::solved);
     let drawn = svg::svg(&cells(&app, (100, 30)), "contrecoup, main screen");
     if renew::is_asked("picture") {
         std::fs::write(file, &drawn).unwrap();
@@ -256,8 +256,8 @@ fn overlays() {
     for (name, keys) in [
         ("help", "?"),
         ("picker_searched", "psqua ball"),
-        ("save", "s"),
-        ("save_hidden", "ls\x15paper-300n\r"),
+        ("save", "\x13"),
+        ("save_hidden", "l\x13\x15paper-300n\r"),
         ("letter_in_a_number", "7u"),
         ("quit", "lq"),
     ] {

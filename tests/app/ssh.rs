@@ -114,7 +114,7 @@ impl Server {
     /// The app, once it shows its first result.
     pub fn open(&self) -> Term {
         let term = Term::start(self.client(self.port, false));
-        term.wait_for("Index 26");
+        term.wait_for("damage 26 %");
         term
     }
 }

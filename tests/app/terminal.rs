@@ -8,17 +8,17 @@ use crate::pty::{RIGHT, Replies, Term, UP, app, started};
 
 #[test]
 fn the_first_screen_answers_the_question() {
-    let term = Term::start(app(&["tui"]));
+    let term = Term::start(app(&["tui", "paper-300n"]));
     for text in [
-        "Index 26",
+        "damage 26 %",
         "Peak force",
         "300 N",
         "centre",
         "N ±",
-        "limit",
+        "of 1.5 %",
         "Errors of",
         "Paper model, unit depth",
-        "Research and education",
+        "Not a diagnosis",
         "q quit",
     ] {
         term.wait_for(text);
@@ -32,9 +32,9 @@ fn every_edit_simulates_at_once_and_can_be_undone_and_redone() {
     let term = started();
     term.keys(RIGHT);
     term.wait_for("310 N");
-    term.wait_without("Index 26");
+    term.wait_without("damage 26 %");
     term.keys("u");
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("r");
     term.wait_for("310 N");
     term.keys("\x1b[1;2C");
@@ -46,20 +46,20 @@ fn a_typed_value_is_taken_restored_or_explained() {
     let term = started();
     term.keys("\r\x15450\r");
     term.wait_for("450 N");
-    term.wait_without("Index 26");
+    term.wait_without("damage 26 %");
     term.keys("u");
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     // What is typed changes nothing until it is accepted, and Escape restores.
     term.keys("\r\x1560");
     term.wait_for("Esc restore");
-    assert!(term.text().contains("Index 26"));
+    assert!(term.text().contains("damage 26 %"));
     term.keys("\x1b");
     term.wait_for("300 N");
     term.keys("\r\x15-5");
     term.wait_for("-5 is out of range");
     term.keys("\r");
     term.wait_for("Esc restore");
-    assert!(term.text().contains("Index 26"));
+    assert!(term.text().contains("damage 26 %"));
     term.keys("\x1b");
     term.wait_without("out of range");
     // Pasted text goes into the field.
@@ -103,7 +103,7 @@ fn number_keys_switch_screens_and_the_keys_can_be_listed() {
 #[test]
 fn presets_are_compared_in_a_table_and_side_by_side() {
     let term = Term::start(app(&["tui", "paper-300n", "paper-100n", "paper-600n"]));
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("\x1b4");
     // All are simulated, and then their mesh errors are estimated.
     term.wait_for("3 marked");
@@ -143,7 +143,7 @@ fn a_storm_of_sizes_ends_in_a_clean_screen() {
     term.keys("\x1b1");
     let untouched = started();
     for term in [&term, &untouched] {
-        term.wait_for("Index 26");
+        term.wait_for("damage 26 %");
         term.settle();
     }
     let lines = |term: &Term| -> Vec<String> {
@@ -154,13 +154,13 @@ fn a_storm_of_sizes_ends_in_a_clean_screen() {
 
 #[test]
 fn very_small_and_very_large_terminals_are_served() {
-    let term = Term::open(app(&[]), (20, 5), Replies::Prompt);
+    let term = Term::open(app(&["tui", "paper-300n"]), (20, 5), Replies::Prompt);
     term.wait_for("terminal too small");
     term.wait_for("need 60x20");
     term.resize(60, 20);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.resize(300, 100);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("\x1b234");
     term.resize(1, 1);
     term.resize(80, 24);
@@ -190,7 +190,7 @@ fn without_a_terminal_the_app_says_so() {
             .code(2)
             .stderr(predicates::str::contains("needs a terminal"));
     }
-    let mut command = app(&["tui"]);
+    let mut command = app(&["tui", "paper-300n"]);
     command.env("TERM", "dumb");
     let mut term = Term::start(command);
     assert_eq!(term.exit_code(), 2);

@@ -23,10 +23,10 @@ fn colour_codes(raw: &[u8]) -> Vec<u32> {
 
 #[test]
 fn no_color_means_no_colour() {
-    let mut command = app(&[]);
+    let mut command = app(&["tui", "paper-300n"]);
     command.env("NO_COLOR", "1");
     let term = Term::start(command);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.keys("\x1b2");
     term.wait_for("Node force");
     assert_eq!(colour_codes(&term.raw()), [] as [u32; 0]);
@@ -36,10 +36,10 @@ fn no_color_means_no_colour() {
 
 #[test]
 fn plain_ascii_is_enough_where_the_locale_has_nothing_else() {
-    let mut command = app(&["tui"]);
+    let mut command = app(&["tui", "paper-300n"]);
     command.env("LC_ALL", "C");
     let term = Term::start(command);
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     for screen in ["\x1b2", "3", "4", "?"] {
         term.keys(screen);
         term.settle();
@@ -52,7 +52,7 @@ fn plain_ascii_is_enough_where_the_locale_has_nothing_else() {
 fn an_idle_app_sends_nothing() {
     let term = started();
     // The last thing that is computed when nothing else is wanted.
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     term.settle();
     let before = term.traffic();
     thread::sleep(Duration::from_secs(2));
@@ -94,14 +94,14 @@ fn queued_keys_go_into_few_frames() {
     let frames = term.traffic().1 - before;
     assert!(frames <= 20, "{frames} frames");
     term.keys("u");
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
 }
 
 #[test]
 fn two_frames_at_most_wait_for_their_replies() {
     let late = Replies::Late(Duration::from_millis(150));
-    let term = Term::open(app(&[]), (80, 24), late);
-    term.wait_for("Index 26");
+    let term = Term::open(app(&["tui", "paper-300n"]), (80, 24), late);
+    term.wait_for("damage 26 %");
     term.keys("\x1b2 ");
     term.keys(&RIGHT.repeat(20));
     term.keys(" ");
@@ -111,8 +111,8 @@ fn two_frames_at_most_wait_for_their_replies() {
 
 #[test]
 fn a_terminal_that_never_answers_is_served_all_the_same() {
-    let term = Term::open(app(&[]), (80, 24), Replies::Never);
-    term.wait_for("Index 26");
+    let term = Term::open(app(&["tui", "paper-300n"]), (80, 24), Replies::Never);
+    term.wait_for("damage 26 %");
     term.keys(&format!("{TO_FORCE}{RIGHT}"));
     term.wait_for("310 N");
     // Two silences later nothing is asked any more, so that no frame waits for an answer.
@@ -131,7 +131,7 @@ fn a_terminal_that_never_answers_is_served_all_the_same() {
 #[test]
 fn a_stopped_client_gets_one_old_frame_and_goes_on_with_its_first_reply() {
     let term = started();
-    term.wait_for("Index 26");
+    term.wait_for("damage 26 %");
     // So slowly that it plays all the while.
     term.keys("\x1b2--- ");
     term.wait_for("playing");
@@ -163,8 +163,8 @@ fn the_mouse_is_never_mentioned_unless_asked_for() {
     term.keys("\t?q\x1b2 3q");
     assert_eq!(term.exit_code(), 0);
     assert_eq!(mentions(&term), [] as [&str; 0]);
-    let mut term = Term::start(app(&["--mouse"]));
-    term.wait_for("Index 26");
+    let mut term = Term::start(app(&["tui", "paper-300n", "--mouse"]));
+    term.wait_for("damage 26 %");
     term.keys("q");
     assert_eq!(term.exit_code(), 0);
     assert_eq!(mentions(&term), ["?1002", "?1006"]);
@@ -174,7 +174,7 @@ fn the_mouse_is_never_mentioned_unless_asked_for() {
 fn plain_contrecoup_takes_the_flags_of_the_app() {
     let flags = ["--color", "never", "--symbols", "ascii", "--fps", "5"];
     let term = Term::start(app(&flags));
-    term.wait_for("Index 26");
+    term.wait_for("What hit the eye?");
     assert!(term.text().is_ascii());
     assert_eq!(colour_codes(&term.raw()), [] as [u32; 0]);
 }

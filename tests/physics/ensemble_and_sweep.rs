@@ -381,3 +381,33 @@ fn bad_doubts_and_numbers_of_samples_are_refused_with_2() {
         assert!(text(&output.stderr).contains(word), "{}", text(&output.stderr));
     }
 }
+
+/// The rows of a sweep over sides of a free eye, which is quick, by the names of their columns.
+fn sides(folder: &Path, axes: [&str; 2]) -> Vec<Value> {
+    let free = ["sweep", "bb-62", "--set", "support=Free", "--set", "window_ms=0.02"];
+    let vary = axes.iter().flat_map(|axis| ["--vary", axis]);
+    let arguments: Vec<&str> = free.into_iter().chain(vary).chain(["--json"]).collect();
+    let output = run(folder, &arguments);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let rows = text(&output.stdout);
+    rows.lines().skip(1).map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn rows_say_side_and_hour_and_are_the_same_whichever_axis_is_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let (angles, hours) = ("impact.angle_deg=-30,30", "impact.angle_clock=3:00,9:00");
+    let (one, other) =
+        (sides(folder.path(), [angles, hours]), sides(folder.path(), [hours, angles]));
+    let hour = |row: &Value| row["direction"]["hour"].as_str().unwrap().to_owned();
+    assert_eq!(one.iter().map(hour).collect::<Vec<_>>(), ["9", "3", "3", "9"]);
+    for (row, same) in [(0, 0), (1, 2), (2, 1), (3, 3)] {
+        assert_eq!(one[row]["results"], other[same]["results"]);
+    }
+    assert_eq!(one[0]["results"], one[3]["results"]);
+    let eyes = sides(folder.path(), ["impact.from=Temple", "model.eye_side=Right,Left"]);
+    for (row, (eye, hour)) in eyes.iter().zip([("Right", "9"), ("Left", "3")]) {
+        let said = serde_json::json!({ "eye_side": eye, "from": "Temple", "hour": hour });
+        assert_eq!(row["direction"], said);
+    }
+}

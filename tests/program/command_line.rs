@@ -318,3 +318,33 @@ fn a_reader_that_stops_early_is_no_failure() {
         assert_eq!(said, "", "{arguments:?}");
     }
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_standard_output_that_is_closed_is_a_failure() {
+    let contrecoup = env!("CARGO_BIN_EXE_contrecoup");
+    let shell = |line: &str| {
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", line, contrecoup]).env("XDG_CONFIG_HOME", "/nonexistent");
+        shell.output().unwrap()
+    };
+    for command in ["run paper-300n --quick", "presets", "guide model", "generate man"] {
+        let lost = shell(&format!("\"$0\" {command} >&-"));
+        let said = String::from_utf8_lossy(&lost.stderr).into_owned();
+        assert_eq!(lost.status.code(), Some(1), "{command}: {said}");
+        assert_eq!(said, "error: cannot write the output: it is closed\n", "{command}");
+        // Who throws it away has asked for that.
+        assert!(shell(&format!("\"$0\" {command} > /dev/null")).status.success());
+        assert!(shell(&format!("\"$0\" {command} 1<> /dev/null")).status.success());
+    }
+    assert_eq!(shell("\"$0\" --help >&-").status.code(), Some(1));
+    assert_eq!(shell("\"$0\" --no-such-flag >&-").status.code(), Some(2));
+}
+
+#[test]
+fn a_share_of_eyes_beyond_100_percent_is_never_looked_for() {
+    run(&["threshold", "bb-62", "--until", "globe_rupture_percent = 150"])
+        .code(2)
+        .stdout(is_empty())
+        .stderr(contains("150 is beyond 100 %").and(contains("allowed 0 to 100 %")));
+}

@@ -419,7 +419,7 @@ fn opened() -> App {
         heat: HeatMap::Hot,
         palette: Palette::default(),
     };
-    prepare(&[], look).unwrap()
+    prepare(&["paper-300n".to_owned()], look).unwrap()
 }
 
 /// Answers the form's own question, as far as that is quick, and nothing else.

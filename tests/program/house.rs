@@ -192,6 +192,51 @@ fn a_lower_room_imports_no_higher_one() {
     }
 }
 
+/// The names that stand after some words at the beginning of a line, each with its room.
+fn headed(words: &[&str]) -> Vec<(String, String)> {
+    let of = |(names, code): (Vec<String>, String)| {
+        let name = |line: &str| {
+            let bare = line.trim_start();
+            let bare = bare.strip_prefix("pub").map_or(bare, |rest| {
+                let rest = rest.strip_prefix('(').and_then(|rest| rest.split_once(')'));
+                rest.map_or(&bare["pub".len()..], |(_, rest)| rest).trim_start()
+            });
+            let rest = words.iter().find_map(|word| bare.strip_prefix(word))?;
+            // Behind the parameters of an implementation.
+            let rest = match rest.strip_prefix('<') {
+                Some(rest) => rest.split_once("> ").map(|(_, rest)| rest)?,
+                None => rest.strip_prefix(' ')?,
+            };
+            let is_of_trait = words == ["impl"] && rest.contains(" for ");
+            let name = rest.split(|c: char| !c.is_alphanumeric() && c != '_').next()?;
+            (!is_of_trait && !name.is_empty()).then(|| name.to_owned())
+        };
+        code.lines().filter_map(name).map(|name| (names[0].clone(), name)).collect::<Vec<_>>()
+    };
+    modules().into_iter().flat_map(of).collect()
+}
+
+#[test]
+fn what_a_type_can_do_stands_in_its_own_room() {
+    let mut types: BTreeSet<_> =
+        headed(&["struct", "enum", "trait", "union"]).into_iter().collect();
+    // Another name for a type is of its room too.
+    for (names, code) in modules() {
+        let aliases = code.lines().filter_map(|line| line.split_once("type ")?.1.split_once(" = "));
+        for (name, target) in aliases {
+            let target = target.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+            if types.contains(&(names[0].clone(), target.to_owned())) {
+                types.insert((names[0].clone(), name.to_owned()));
+            }
+        }
+    }
+    let done = headed(&["impl"]);
+    assert!(types.len() > 300 && done.len() > 250, "{} {}", types.len(), done.len());
+    for held in done {
+        assert!(types.contains(&held), "{} does something to {} of another room", held.0, held.1);
+    }
+}
+
 #[test]
 fn no_more_than_three_files_import_each_other() {
     let imports = imports();

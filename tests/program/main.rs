@@ -8,6 +8,7 @@ mod dependencies;
 mod figures;
 mod fuzz;
 mod house;
+mod json_keys;
 mod library;
 mod memory_and_files;
 mod no_threads;

@@ -216,3 +216,30 @@ fn thousands_of_presets_are_listed_without_holding_their_texts() {
     assert!(output.status.success(), "{output:?}");
     assert!(String::from_utf8_lossy(&output.stdout).contains("\"p3999\""));
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_sample_of_an_ensemble_keeps_less_than_2_kb() {
+    let sampled = |count: &str| {
+        let short = ["ensemble", "paper-300n", "--set", "window_ms=0.05", "--samples", count];
+        let mut child = Command::new(env!("CARGO_BIN_EXE_contrecoup"))
+            .args(short)
+            .stdout(Stdio::piped())
+            .env("RAYON_NUM_THREADS", "2")
+            .spawn()
+            .unwrap();
+        // It prints less than a pipe holds, so it is looked at when it has done so and is no more.
+        let mut most = 0;
+        while child.try_wait().unwrap().is_none() {
+            let status = fs::read_to_string(format!("/proc/{}/status", child.id()));
+            let peak = status.unwrap_or_default();
+            let peak = peak.lines().find_map(|line| line.strip_prefix("VmHWM:").map(str::to_owned));
+            let peak = peak.and_then(|kb| kb.trim().trim_end_matches(" kB").parse::<u64>().ok());
+            most = most.max(peak.unwrap_or(0));
+            sleep(Duration::from_millis(5));
+        }
+        most
+    };
+    let (few, many) = (sampled("500"), sampled("4000"));
+    assert!(few > 1000 && many < few + 7000, "{few} kB of 500 samples, {many} kB of 4000");
+}

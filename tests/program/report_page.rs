@@ -141,3 +141,29 @@ fn a_blow_is_printed_on_one_page_of_a4() {
         assert!(pdf.contains("/MediaBox [0 0 59") && pdf.contains(" 84"), "no A4");
     }
 }
+
+#[test]
+fn a_name_of_80_letters_stays_on_the_page_and_in_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let long = format!("name={}", "W".repeat(80));
+    let blow = ["bb-56", "--set", "window_ms=0.1", "--set", &long];
+    let picture = read(&written(folder.path(), "one.svg", &blow));
+    let number = |after: &str| -> f64 {
+        let rest = picture.split_once(after).unwrap().1;
+        rest.split(['"', ' ']).next().unwrap().parse().unwrap()
+    };
+    let (wide, name) = (number("viewBox=\"0 0 "), number("textLength=\""));
+    assert!(name + 16.0 <= wide, "{name} of {wide}");
+    let short = read(&written(folder.path(), "two.svg", &["bb-56", "--set", "window_ms=0.1"]));
+    assert!(!short.contains("textLength"), "only what would be too wide is set closer");
+    let Some(browser) = browser() else { return };
+    let page = written(folder.path(), "one.html", &blow);
+    let script = "<script>document.title = document.documentElement.scrollWidth</script></body>";
+    let text = read(&page).replace("</body>", script);
+    fs::write(&page, text).unwrap();
+    let arguments = ["--window-size=400,800", "--dump-dom"];
+    let (dom, _) =
+        browsed(browser, folder.path(), &arguments, &format!("file://{}", page.display()));
+    let wide = dom.split_once("<title>").unwrap().1.split_once('<').unwrap().0;
+    assert!(wide.parse::<u32>().unwrap() <= 500, "{wide} pixels in a window of 400");
+}

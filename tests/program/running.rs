@@ -145,7 +145,7 @@ fn a_step_above_the_limit_is_refused_with_the_limit() {
 
 #[test]
 fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
-    use FlagKind::{BeyondTests, MeshFolded, NotPredictable, Unconverged};
+    use FlagKind::{BeyondTests, Unconverged};
     let mut objects = 0;
     for preset in library::built_in() {
         let scenario = preset.scenario().unwrap();
@@ -155,17 +155,17 @@ fn every_preset_runs_with_a_small_step_error_or_says_why_not() {
         assert!(answer.index().damage() > 0.0, "{name}");
         assert!(!kinds.contains(&FlagKind::EyeMissed), "{name}");
         assert!(!kinds.contains(&FlagKind::EnergyImbalance), "{name}");
+        assert!(!kinds.contains(&FlagKind::MeshFolded), "{name}");
         if answer.case.blow.is_none_or(|blow| blow.energy.is_none()) {
             assert!(answer.errors.time_step_percent().unwrap() < 1.0, "{name}");
             assert!(answer.errors.energy_balance < 0.1, "{name}");
             continue;
         }
         objects += 1;
-        let doubtful = [MeshFolded, NotPredictable, Unconverged];
         // Its errors are 8 % where the eye is pressed flatter than in any test.
         let flat = name == "air-rifle-pellet" && kinds.contains(&BeyondTests)
             || kinds.contains(&FlagKind::EyeFlat);
-        let flagged = flat || doubtful.iter().any(|kind| kinds.contains(kind));
+        let flagged = flat || kinds.contains(&Unconverged);
         let small = answer.errors.time_step_percent().is_some_and(|error| error < 1.5);
         assert!(small || flagged, "{name}");
         assert!(!answer.risks().is_empty(), "{name}");
@@ -363,5 +363,5 @@ fn in_a_log_work_of_minutes_says_how_long_it_goes_on() {
     child.kill().unwrap();
     child.wait().unwrap();
     let first = first.unwrap().unwrap().unwrap();
-    assert!(first.starts_with("rows: ") && first.contains("of 20000, about"), "{first}");
+    assert!(first.starts_with("rows, ") && first.contains("of 20000, about"), "{first}");
 }

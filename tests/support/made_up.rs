@@ -352,8 +352,9 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
         let moved = shares.iter().zip(weights).map(|(share, weight)| weight * (share - 0.5));
         let factor = 1.0 + moved.sum::<f64>();
         let folded = folds && index % 6 != 5;
-        Sample {
-            drawn: inputs.iter().zip(&shares).map(|(input, u)| input.value(*u)).collect(),
+        let drawn =
+            inputs.iter().zip(&shares).map(|(input, u)| input.value(*u)).collect::<Vec<_>>();
+        let sample = Sample {
             outcome: Ok(BriefAnswer {
                 ranges: None,
                 values: nominal.map(|of, value| {
@@ -364,15 +365,20 @@ pub fn ensemble(scenario: &Scenario, count: u32) -> Ensemble {
                 check: (index < 8).then_some(Check {
                     first: 0.02,
                     last: 0.02,
+                    leading: 0.02,
+                    missed: false,
                     tried: 2e-6,
                     good_step: 3e-6,
                 }),
             }),
-        }
+        };
+        (sample, drawn)
     };
+    let (samples, drawn): (Vec<_>, Vec<_>) = (0..count).map(sample).unzip();
     Ensemble {
         nominal: Some(nominal),
-        samples: (0..count).map(sample).collect(),
+        samples,
+        drawn: drawn.concat(),
         inputs: inputs.clone(),
         asked: count,
         seed: 1,

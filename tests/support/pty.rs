@@ -85,10 +85,10 @@ pub fn app(arguments: &[&str]) -> CommandBuilder {
     command
 }
 
-/// The app with nothing asked for, once it shows its first result, with the cursor on the force.
+/// The app on the paper's blow, once it shows its first result, with the cursor on the force.
 pub fn started() -> Term {
-    let term = Term::start(app(&[]));
-    term.wait_for("Index 26");
+    let term = Term::start(app(&["tui", "paper-300n"]));
+    term.wait_for("damage 26 %");
     term.keys(TO_FORCE);
     term.wait_for("▸Peak force");
     term
@@ -100,7 +100,7 @@ pub fn plain(command: &mut CommandBuilder) {
         command.env_remove(name);
     }
     command.env("TERM", "xterm");
-    // A home whose config file opens the app at once, on the same every time.
+    // A home whose config file computes nothing ahead.
     command.env("XDG_CONFIG_HOME", HOME);
 }
 

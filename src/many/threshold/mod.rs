@@ -317,6 +317,9 @@ pub fn wanted(text: &str) -> Result<(Quantity, f64), ScenarioError> {
             let complaint = format!("is below 0, where {} never is", quantity.label());
             Err(refused(value, &complaint, "0 or more"))
         }
+        Ok(target) if quantity.is_risk() && target > 100.0 => {
+            Err(refused(value, "is beyond 100 %, which no share of eyes exceeds", "0 to 100 %"))
+        }
         Ok(target) if quantity == Quantity::Shortening && target > 100.0 * PRESSED_FLAT => {
             let complaint = "is beyond where the eye is pressed flat, at which a run ends";
             let allowed = format!("up to {} %", 100.0 * PRESSED_FLAT);

@@ -3,6 +3,7 @@
 use crate::answer::mesh_error::add_mesh_error;
 use crate::answer::solve::tests::{answered, answered_with};
 use crate::answer::solve::{Answer, solve};
+use crate::answer::{brief::compared, compiled::Compiled};
 use crate::run::watch::unwatched;
 use crate::run::{flags::FlagKind, kept::Keep, plan::Plan, quantity::Quantity, refusal::Refusal};
 use crate::scenario::set::set;
@@ -161,7 +162,7 @@ fn an_ensemble_draws_what_is_doubted_of_the_model_and_of_the_object() {
     }
     let checks = ensemble.checks();
     assert_eq!(checks.count, PILOT as usize);
-    assert!(checks.last <= ensemble.promise, "{checks:?}");
+    assert!(checks.leading <= ensemble.promise && checks.last >= checks.leading, "{checks:?}");
 }
 
 #[test]
@@ -176,7 +177,7 @@ fn a_sweep_and_a_map_hold_its_results_and_leave_out_what_it_has_not() {
     let (slow, fast) = (row(0), row(1));
     let of = Quantity::BackPressure;
     assert!(slow.values[of].unwrap() < fast.values[of].unwrap());
-    assert!(slow.check.unwrap().last <= 1.0);
+    assert!(slow.check.unwrap().leading <= 1.0);
     assert!(row(3).values[Quantity::StoredEnergy].is_none());
 
     let span = |path, from, to| Span { field: find(path).unwrap(), from, to };
@@ -294,5 +295,31 @@ fn frames_come_at_the_asked_instants_and_traces_hold_the_peaks() {
             let share = largest / peak.value;
             assert!((0.97..1.0 + 1e-9).contains(&share), "{} {share}", of.key());
         }
+    }
+}
+
+#[test]
+fn a_run_beside_one_of_twice_as_many_steps_states_its_whole_error() {
+    let steel = "Projectile(mass_g: 184, diameter_mm: 54, speed_m_s: 7.9)";
+    let sets: [&[(&str, &str)]; 4] = [
+        &[("window_ms", "0.5")],
+        &[("window_ms", "0.5"), ("impact.speed_m_s", "60")],
+        &[("window_ms", "0.5"), ("model.support", "Free"), ("impact.speed_m_s", "90")],
+        &[("impact", steel), ("model.support", "Gelatin"), ("window_ms", "3")],
+    ];
+    for sets in sets {
+        let mut scenario = scene(bb(30.0));
+        for (path, text) in sets {
+            set(&mut scenario, path, text).unwrap();
+        }
+        let scenario = scenario.check().unwrap();
+        let answer = compared(&scenario, None, &mut unwatched).unwrap();
+        let case = Compiled::new(&scenario);
+        let exact = Plan { multiple: 24.0, ..case.plan(&scenario).unwrap() };
+        let exact = case.run(&exact, Keep::default(), &mut unwatched).unwrap();
+        let exact = case.results(&exact);
+        let (of, off) = answer.values.difference_percent(&exact).worst_listed(&exact).unwrap();
+        let check = answer.check.unwrap();
+        assert!(off <= check.last, "{sets:?}: {of:?} is off by {off} %, {check:?}");
     }
 }

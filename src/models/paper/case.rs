@@ -2,7 +2,7 @@
 
 use crate::models::paper::recording::{Recording, recorder::Recorder};
 use crate::models::paper::{eye::Eye, forces::load::ArcLoad, forces::state::State};
-use crate::models::paper::{forces::system::System, time::march::march};
+use crate::models::paper::{forces::system::System, time::march};
 use crate::models::pulse::Pulse;
 use crate::run::{kept::Keep, plan::Plan, refusal::Refusal, watch::Watch};
 use crate::scenario::{CheckedScenario, EyeInput, ForcePulse};
@@ -83,11 +83,11 @@ impl PaperCase {
         keep: Keep,
         mut look: impl FnMut(&mut Recorder, f64) -> ControlFlow<()>,
     ) -> Result<Recording, Refusal> {
-        let span = (self.window, plan.steps(&self.system.pulse));
+        let span = (self.window, march::steps(plan, &self.system.pulse));
         let mut recorder = Recorder::new(&self.eye, &self.load, &self.system, span, keep);
         let mut state = self.start.clone();
         let mut looked = ControlFlow::Continue(());
-        let cost = march(&self.system, plan, &mut state, |now| {
+        let cost = march::march(&self.system, plan, &mut state, |now| {
             recorder.see(&self.system, &now);
             looked = look(&mut recorder, now.state.time);
             let settled = !now.starts && recorder.settled();

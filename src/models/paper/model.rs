@@ -1,5 +1,7 @@
 //! The Paper model behind the trait that every model fills.
 
+use crate::models::paper::time::march::{at_least_steps, longest_step, steps, steps_in};
+use crate::models::paper::time::method::Method;
 use crate::models::paper::{case::PaperCase, drawing, flags, readings, rules::RULES};
 use crate::models::pulse::Piece;
 use crate::run::kept::{Frame, Keep, Spacing};
@@ -40,15 +42,15 @@ impl EyeModel for PaperCase {
     }
 
     fn step_limit(&self, integrator: Integrator) -> f64 {
-        integrator.method().step_limit(&self.system)
+        Method::of(integrator).step_limit(&self.system)
     }
 
     fn longest_step(&self, plan: &Plan) -> f64 {
-        plan.longest_step(&self.system.pulse)
+        longest_step(plan, &self.system.pulse)
     }
 
     fn steps(&self, plan: &Plan) -> usize {
-        plan.steps(&self.system.pulse)
+        steps(plan, &self.system.pulse)
     }
 
     fn second_plan(&self, plan: &Plan) -> (Plan, f64) {
@@ -61,26 +63,27 @@ impl EyeModel for PaperCase {
             local_tolerance: plan.local_tolerance * 0.1,
             ..*plan
         };
-        let steps = |plan: &Plan, loaded: bool| -> usize {
-            let counted = segments.iter().filter(|s| !loaded || s.piece != Piece::Nothing);
-            counted.map(|s| plan.steps_in(s)).sum()
+        let counted = |plan: &Plan, loaded: bool| -> usize {
+            let held = segments.iter().filter(|s| !loaded || s.piece != Piece::Nothing);
+            held.map(|s| steps_in(plan, s)).sum()
         };
         // A coarser run is cheaper; it tells nothing if load or short segments take the same steps.
         let telling = |loaded: bool| {
-            steps(plan, loaded) as f64 > 0.5 * (1.0 + ratio) * steps(&coarser, loaded) as f64
+            counted(plan, loaded) as f64 > 0.5 * (1.0 + ratio) * counted(&coarser, loaded) as f64
         };
         let longest = LONGEST_SHARE * self.step_limit(plan.integrator);
         let coarser_tells = coarser.step <= longest * (1.0 + 1e-9)
-            && !segments.iter().any(|s| coarser.at_least_steps(s))
+            && !segments.iter().any(|s| at_least_steps(&coarser, s))
             && telling(true)
             && telling(false);
-        if plan.integrator.method().adaptive() {
+        if plan.integrator.chooses_its_steps() {
             // Its error follows the tolerance, or the longest step; a finer run shows both.
             (finer, safety)
         } else if coarser_tells {
             (coarser, safety / (ratio.powi(order) - 1.0))
         } else {
-            let gains = segments.iter().map(|s| finer.steps_in(s) as f64 / plan.steps_in(s) as f64);
+            let gains =
+                segments.iter().map(|s| steps_in(&finer, s) as f64 / steps_in(plan, s) as f64);
             let least = gains.fold(f64::INFINITY, f64::min);
             (finer, safety / (1.0 - least.powi(-order)))
         }

@@ -52,15 +52,18 @@ pub struct Scene {
 impl Scene {
     /// What a scenario asks for, whose impact is `projectile`.
     pub fn new(scenario: &CheckedScenario, model: &Physiological, projectile: &Projectile) -> Self {
+        // The hour of nothing means nothing: it is 12 then, as for whoever gives none.
+        let azimuth =
+            |hour: f64, of: f64| if of == 0.0 { 0.0 } else { model.eye_side.azimuth(hour) };
         Self {
             parameters: parameters(model, 0.0),
             rim: (model.support == Support::Orbit).then(|| OrbitRim::from(&model.rim)),
             object: object(projectile),
             aim: Aim {
                 angle: projectile.angle_deg.to_radians(),
-                from: model.eye_side.azimuth(projectile.angle_clock),
+                from: azimuth(projectile.angle_clock, projectile.angle_deg),
                 offset: projectile.offset_mm * 1e-3,
-                towards: model.eye_side.azimuth(projectile.offset_clock),
+                towards: azimuth(projectile.offset_clock, projectile.offset_mm),
             },
             window: Until::asked(scenario.window_ms, LONGEST),
             level: scenario.eye.level,
@@ -145,6 +148,10 @@ impl EyeModel for SpatialCase {
     fn regions(&self) -> Vec<Region> {
         let section = Section::new(&self.eye, &self.blow);
         section.points.iter().map(|shown| shown.region).collect()
+    }
+
+    fn nodes(&self) -> usize {
+        self.eye.mass.len()
     }
 
     fn elements(&self) -> usize {

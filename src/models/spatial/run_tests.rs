@@ -15,7 +15,7 @@ use crate::run::kept::{Frame, Keep, Spacing};
 use crate::run::model::{EyeModel, Run};
 use crate::run::plan::Plan;
 use crate::run::{flags::FlagKind, quantity::Quantity, watch::unwatched};
-use crate::scenario::{Integrator, Rim};
+use crate::scenario::{Integrator, Rim, library::tests::preset, set::set};
 use nalgebra::Vector2;
 
 const BB: Object = Object {
@@ -350,4 +350,21 @@ fn what_lies_at_the_eye_ends_when_nothing_grows() {
     let kinds: Vec<FlagKind> = run.flags.iter().map(|flag| flag.kind).collect();
     assert!(kinds.contains(&FlagKind::Stays), "{kinds:?} {}", run.simulated);
     assert!(!kinds.contains(&FlagKind::ContactCut) && run.simulated < 19e-3);
+}
+
+#[test]
+fn straight_on_the_hour_means_nothing() {
+    let scene = |changes: &[(&str, &str)]| {
+        let bb = preset("bb-62", &[("numerics.geometry", "Full")]);
+        let bb = changes.iter().fold(bb, |mut bb, (path, text)| {
+            set(&mut bb, path, text).unwrap();
+            bb
+        });
+        let bb = bb.check().unwrap();
+        Scene::new(&bb, bb.physiological().unwrap(), bb.projectile().unwrap())
+    };
+    let (angle, offset) = (("angle_clock", "3"), ("offset_clock", "7:30"));
+    assert_eq!(scene(&[angle, offset]), scene(&[]));
+    assert_ne!(scene(&[("angle_deg", "5"), angle]), scene(&[("angle_deg", "5")]));
+    assert_ne!(scene(&[("offset_mm", "2"), offset]), scene(&[("offset_mm", "2")]));
 }

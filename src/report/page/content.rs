@@ -73,8 +73,13 @@ pub(super) fn rows(scenario: &Scenario, answer: &Answer) -> Vec<[String; 6]> {
         let ms = answer.peak(of).map(|peak| peak.time * 1e3);
         let at = ms.map(|ms| format!("{ms:.3} ms{}", remark(scenario, answer, of)));
         let mesh = mesh.as_ref().and_then(|errors| errors[of]);
-        let [step, mesh] = [time_step[of], mesh].map(|error| or_dash(error, percent));
-        let (name, unit) = (capital(of.row().label), of.row().unit.to_owned());
+        let figure = Figure::of(answer, of);
+        // A figure in percent has its error in percent of the same.
+        let unit = figure.map_or("", |figure| figure.unit);
+        let per =
+            if unit == "%" { 1e-2 * answer.result(of).unwrap_or_default().abs() } else { 1.0 };
+        let [step, mesh] = [time_step[of], mesh].map(|e| or_dash(e.map(|e| e * per), percent));
+        let (name, unit) = (capital(of.row().label), unit.to_owned());
         [name, value.unwrap_or_default(), unit, at.unwrap_or_default(), step, mesh]
     };
     // Risks stand above, with their ranges.

@@ -33,11 +33,11 @@ const FIELD: [&str; STEPS] = [
 ];
 /// How the parts look, in a page and in a picture of its own.
 pub const STYLE: &str = ".eye path{stroke:none}.eye .sky{fill:#fff}\
-    .eye .object{fill:#ff875f}.eye .skin{fill:#d75f5f}.eye .fat{fill:#f6ecd2}\
-    .eye .bone{fill:#a5804a}.eye .nerve{fill:#d7d787}.eye .globe{fill:#5f005f}\
+    .eye .object{fill:#bdbdbd}.eye .skin{fill:#8a8a8a}.eye .fat{fill:#f6ecd2}\
+    .eye .bone{fill:#b3a184}.eye .nerve{fill:#d7d787}.eye .globe{fill:#5f005f}\
     .eye .ciliary{fill:#875f5f}.eye .lens{fill:#afd7d7}.eye .iris{fill:#5fafff}\
-    .eye .retina{fill:#ff005f}.eye .sclera{fill:#d8d8d8}.eye .cornea{fill:#55d7e6}\
-    .eye .pressed{fill:#ffd700}.eye .limbus{fill:#875f5f}\
+    .eye .retina{fill:#c9706f}.eye .sclera{fill:#d8d8d8}.eye .cornea{fill:#55d7e6}\
+    .eye .pressed{fill:#d84fb0}.eye .limbus{fill:#875f5f}\
     .eye .ghost{fill:none;stroke:#777;stroke-width:3;stroke-dasharray:6 8}\
     .eye .bar{stroke:#333;stroke-width:8}.eye .field path{stroke-width:2}\
     .eye text{font:30px sans-serif;fill:#555;\
@@ -223,6 +223,9 @@ fn closed(ring: &[Point2<f64>]) -> String {
     ring.iter().zip(signs).map(corner).collect::<String>() + "Z"
 }
 
+/// The width of a wide letter of a text beside a picture.
+const LETTER: i64 = 18;
+
 /// A file of the pictures alone, side by side, each with its name and first verdict.
 pub fn pictures(entries: &[Entry]) -> String {
     let answered = entries.iter().filter_map(|entry| {
@@ -239,7 +242,12 @@ pub fn pictures(entries: &[Entry]) -> String {
             rect width="100%" height="100%" fill="white" {}
             @for (x, (entry, answer, picture)) in (0..).map(|i: i64| i * side).zip(&all) {
                 svg x=(x) width=(side) height=(high) viewBox=(picture.view_box()) { (picture.content()) }
-                text x=(x + 8) y=(high + 34) { (printable(&entry.scenario.name)) }
+                @let name = printable(&entry.scenario.name);
+                // A name that is wider than its picture is set closer.
+                @let letters: i64 = name.chars().map(|_| LETTER).sum();
+                @let room = (letters > side - 16).then_some(side - 16);
+                text x=(x + 8) y=(high + 34) textLength=[room]
+                    lengthAdjust=[room.map(|_| "spacingAndGlyphs")] { (name) }
                 @if let Some((name, words)) = lines(answer).first() {
                     // The word and the range; what stands behind them is too long for a picture.
                     @let words = words.split([',', ';', ':']).next().unwrap_or_default();

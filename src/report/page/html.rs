@@ -11,7 +11,8 @@ use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::format::{capital, percent};
 use crate::report::page::content::{case, closing, inputs, mesh, rows, sources};
 use crate::report::page::eye::{Picture, STYLE};
-use crate::report::risks::{first_line, lines};
+use crate::report::risks::{lines, silence};
+use crate::report::sentence::{sentence, verdict};
 use crate::report::{bone, look_for};
 use crate::report::{compare::Table, page::charts, page::fundus};
 use crate::run::{quantity::Quantity, watch::Watch};
@@ -76,7 +77,7 @@ fn comparison(entries: &[Entry]) -> Markup {
             @for entry in entries {
                 @if let Some(answer) = entry.answer() {
                     p.verdict {
-                        strong { (printable(&entry.name)) } ": " (first_line(answer))
+                        strong { (printable(&entry.name)) } ": " (verdict(answer)) "."
                     }
                 }
             }
@@ -104,15 +105,22 @@ fn blow(entry: &Entry) -> Markup {
     let scenario = &entry.scenario;
     html! {
         section.blow {
-            h1 { (printable(&scenario.name)) }
+            h1.sentence {
+                @match entry.answer() {
+                    None => (printable(&scenario.name)),
+                    Some(answer) => (sentence(scenario, answer)),
+                }
+            }
             @match entry.answer() {
                 None => p.flag { "No answer: " (printable(entry.refused().unwrap_or_default())) },
                 Some(answer) => {
                     p.model { (mesh(answer, scenario)) }
                     p.case { (case(scenario)) }
                     @for (name, words) in lines(answer) { p.verdict { strong { (name) } ": " (words) } }
-                    p.note { "In brackets: 8 of 10 of what it may be lie in it." }
                     @if let Some(bone) = bone::line(answer) { p.verdict { (bone) } }
+                    @if answer.silence().is_none() {
+                        p.note { "In brackets: 8 of 10 of what it may be lie in it." }
+                    }
                     @let look = look_for::lines(answer, &answer.risks(), scenario.eye_side());
                     @if !look.is_empty() {
                         h2 { "What to look for" }
@@ -136,14 +144,15 @@ fn blow(entry: &Entry) -> Markup {
                         div { (results(scenario, answer)) }
                     }
                     div.charts {
-                        @if let Some(sectors) = &answer.run.sectors {
-                            (fundus::figure(sectors, scenario.eye_side()))
+                        @if let (Some(sectors), Some(blow)) = (&answer.run.sectors, &answer.case.blow) {
+                            (fundus::figure(sectors, &blow.points, scenario.eye_side()))
                         }
                         (figure("Forces", &charts::forces(answer)))
                         (figure(&capital(&motion.up), &motion))
                         (figure("Risk against what each tissue felt, and this blow on the curves",
                             &charts::injuries(answer)))
                     }
+                    @if let Some(why) = silence(answer) { p.note { (why) } }
                 }
             }
             details.screen { summary { "The scenario as a file" } pre { (to_ron(scenario)) } }

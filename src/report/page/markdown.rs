@@ -6,7 +6,8 @@ use crate::many::comparison::{Entry, leading};
 use crate::plain_text::markdown;
 use crate::report::figure::{SCALE, here_and_in_the_limit, unusable};
 use crate::report::page::content::{closing, inputs, mesh, rows, sources};
-use crate::report::{compare::Table, risks::lines};
+use crate::report::risks::{lines, silence};
+use crate::report::{compare::Table, sentence::sentence};
 use crate::run::quantity::Quantity;
 
 pub fn write(entries: &[Entry], command: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
@@ -30,6 +31,7 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
         let why = markdown(entry.refused().unwrap_or_default());
         return writeln!(out, "No answer: {why}\n");
     };
+    writeln!(out, "{}\n", markdown(&sentence(&entry.scenario, answer)))?;
     writeln!(out, "{}\n", mesh(answer, &entry.scenario))?;
     for (name, words) in lines(answer) {
         writeln!(out, "- **{name}**: {}", markdown(&words))?;
@@ -52,6 +54,9 @@ fn blow(entry: &Entry, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n| input | value |\n|---|---|")?;
     for (label, text) in inputs(&entry.scenario) {
         writeln!(out, "| {label} | {} |", markdown(&text))?;
+    }
+    if let Some(why) = silence(answer) {
+        writeln!(out, "\n{why}")?;
     }
     writeln!(out)
 }

@@ -1,14 +1,14 @@
 //! The eye from the front, as an examiner who faces the patient sees it: the bone's edge, the
 //! globe, limbus, iris and pupil as they move and bend, and the outline of the object, which is let
-//! through.
+//! through: half-toned while it presses, in dashes before and in dots after.
 //!
 //! An axisymmetric eye that is hit straight on is round from there; hit from the side it cannot be
 //! seen so. What is drawn and not computed: iris and pupil, which go with the limbus.
 
-use nalgebra::{Point2, Vector2, center};
+use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
-use crate::report::picture::{Part, Shape, stroke};
+use crate::report::picture::{Part, Shape, moment::Stage, stroke};
 use crate::run::drawing::Drawing;
 use crate::run::kept::{Frame, FrontFrame};
 use crate::scenario::Side;
@@ -64,7 +64,11 @@ fn scaled(ring: &[Point2<f64>], times: f64) -> Vec<Point2<f64>> {
 }
 
 /// All layers of a frame as [`seen`], the later over the earlier; no less than `grain` m shows.
-pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Option<Vec<Shape>> {
+pub fn layers(
+    (drawing, frame): (&Drawing, &Frame),
+    (side, stage): (Side, Stage),
+    grain: f64,
+) -> Option<Vec<Shape>> {
     let front = seen(drawing, frame)?;
     let across = |at: Point2<f64>| match side {
         Side::Right => at,
@@ -92,13 +96,22 @@ pub fn layers(drawing: &Drawing, frame: &Frame, side: Side, grain: f64) -> Optio
     layers.extend(tissues.map(|(part, ring)| Shape::new(part, ring)));
     if let Some(object) = drawing.object {
         let mut ring = faced(circle(front.object, object.radius));
-        if object.radius < SMALL_M {
-            layers.push(Shape::new(Part::Object, ring.clone()));
+        match stage {
+            _ if object.radius < SMALL_M => layers.push(Shape::new(Part::Object, ring.clone())),
+            Stage::Pressing => layers.push(Shape::new(Part::Veil, ring.clone())),
+            Stage::Before | Stage::After => {}
         }
         ring.extend(ring.first().copied());
-        layers.push(stroke(Part::Object, &ring, grain.max(0.6e-3)));
-        let middle = center(&ring[0], &ring[CORNERS / 2]);
-        layers.push(Shape::new(Part::Object, circle(middle, grain.max(0.5e-3))));
+        let thick = grain.max(0.6e-3);
+        match stage {
+            // Whole while it presses, in dashes before and in dots after.
+            Stage::Pressing => layers.push(stroke(Part::Skin, &ring, thick)),
+            Stage::Before | Stage::After => {
+                let dash = if stage == Stage::Before { 4 } else { 1 };
+                let parts = (0..CORNERS).step_by(6).map(|at| &ring[at..=(at + dash)]);
+                layers.extend(parts.map(|part| stroke(Part::Skin, part, thick)));
+            }
+        }
     }
     Some(layers)
 }
@@ -117,7 +130,7 @@ mod tests {
         let keep = Keep { frames: Some(Spacing::even(0.05e-3)), ..Keep::default() };
         let answer = answered_with(&scenario, keep);
         let (drawing, frames) = (answer.case.eye.drawing(), &answer.run.frames);
-        layers(&drawing, frames.last().unwrap(), side, 1e-4)
+        layers((&drawing, frames.last().unwrap()), (side, Stage::Pressing), 1e-4)
     }
 
     fn ring(layers: &[Shape], part: Part) -> &[Point2<f64>] {
@@ -140,6 +153,24 @@ mod tests {
         assert!(middle(&right, Part::Sclera).norm() < 0.5e-3);
         let widest = ring(&right, Part::Cornea).iter().map(|at| at.coords.norm());
         assert!((5e-3..8e-3).contains(&widest.fold(0.0, f64::max)));
+    }
+
+    #[test]
+    fn an_object_looks_otherwise_before_while_and_after_it_presses() {
+        let scenario =
+            preset("squash-ball", &[("numerics.geometry", "Axisymmetric"), ("window_ms", "0.1")]);
+        let keep = Keep { frames: Some(Spacing::even(0.05e-3)), ..Keep::default() };
+        let answer = answered_with(&scenario, keep);
+        let drawing = answer.case.eye.drawing();
+        let count = |stage| {
+            let frame = answer.run.frames.last().unwrap();
+            let layers = layers((&drawing, frame), (Side::Right, stage), 1e-4).unwrap();
+            [Part::Veil, Part::Skin, Part::Object]
+                .map(|part| layers.iter().filter(|shape| shape.part == part).count())
+        };
+        let counts = [Stage::Before, Stage::Pressing, Stage::After].map(count);
+        // The eye is seen through it, and no dot in its middle reads as a wound.
+        assert_eq!(counts, [[0, 12, 0], [1, 1, 0], [0, 12, 0]]);
     }
 
     #[test]

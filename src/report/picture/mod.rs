@@ -28,6 +28,8 @@ pub enum Part {
     Sky,
     /// What hits the eye.
     Object,
+    /// The same where the eye behind it is seen too: every other point is the object.
+    Veil,
     /// Its outline.
     Skin,
     /// What holds the globe.
@@ -65,10 +67,10 @@ impl Part {
 
     /// Whether it lies inside the globe; of its shell nobody asks.
     pub fn is_inside(self) -> Option<bool> {
-        use Part::{Bone, Ciliary, Fat, Globe, Iris, Lens, Nerve, Object, Pupil, Skin, Sky};
+        use Part::{Bone, Ciliary, Fat, Globe, Iris, Lens, Nerve, Object, Pupil, Skin, Sky, Veil};
         match self {
             Globe | Ciliary | Lens | Iris | Pupil => Some(true),
-            Sky | Object | Skin | Fat | Bone | Nerve => Some(false),
+            Sky | Object | Veil | Skin | Fat | Bone | Nerve => Some(false),
             _ => None,
         }
     }

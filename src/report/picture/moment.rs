@@ -10,6 +10,30 @@ const LEAVES_S: f64 = 0.3e-3;
 /// Force from which something presses, in N.
 const PRESSES_N: f64 = 0.3;
 
+/// Where an object is in its blow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    Before,
+    Pressing,
+    After,
+}
+
+/// The stage of a blow at a time in s; before it where nothing is recorded.
+pub fn stage(answer: &Answer, time: f64) -> Stage {
+    let Some(traces) = &answer.run.traces else { return Stage::Before };
+    let pressing = |force: &f64| *force > PRESSES_N;
+    let ends = [
+        traces.contact_force.iter().position(pressing),
+        traces.contact_force.iter().rposition(pressing),
+    ];
+    match ends.map(|at| at.map(|at| traces.time[at])) {
+        [Some(first), _] if time < first => Stage::Before,
+        [_, Some(last)] if time > last => Stage::After,
+        [Some(_), _] => Stage::Pressing,
+        _ => Stage::Before,
+    }
+}
+
 /// What happens at a time in s, in full and in one word.
 pub fn said(answer: &Answer, time: f64) -> (String, &'static str) {
     let Some(traces) = &answer.run.traces else { return (String::new(), "") };

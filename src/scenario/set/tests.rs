@@ -227,3 +227,75 @@ fn an_hour_is_typed_as_a_clock_shows_it() {
     }
     refused(&ball, "impact.speed_m_s", "7:30");
 }
+
+/// The scenario with all of these, in this order, as flags and sweeps set them.
+fn with_all(mut scenario: Scenario, changes: &[(&str, &str)]) -> Scenario {
+    let mut changes = changes.to_vec();
+    in_order(&scenario, &mut changes, |(path, _)| path);
+    for (path, text) in changes {
+        set_one_of_several(&mut scenario, path, text).unwrap();
+    }
+    settle(&mut scenario);
+    scenario
+}
+
+/// Where its object comes from: angle and hour.
+fn from(scenario: &Scenario) -> (f64, f64) {
+    let object = scenario.projectile().unwrap();
+    (object.angle_deg, object.angle_clock)
+}
+
+#[test]
+fn an_angle_below_0_and_its_hour_mean_the_same_in_any_order() {
+    let bb = preset("bb-62", &[]);
+    for [first, second] in
+        [["impact.angle_deg", "impact.angle_clock"], ["angle_deg", "angle_clock"]]
+    {
+        for (angle, hour, wanted) in
+            [("-30", "3", (30.0, 9.0)), ("30", "3", (30.0, 3.0)), ("-30", "9", (30.0, 3.0))]
+        {
+            let one = with_all(bb.clone(), &[(first, angle), (second, hour)]);
+            let other = with_all(bb.clone(), &[(second, hour), (first, angle)]);
+            assert_eq!(from(&one), wanted);
+            assert_eq!(one, other);
+        }
+    }
+    let text = "(name: \"x\", impact: Projectile(mass_g: 1.0, diameter_mm: 6.0, speed_m_s: 9.0, \
+                angle_deg: -30.0, angle_clock: 3.0))";
+    assert_eq!(from(&load::parse(text, "x").unwrap()), (30.0, 9.0));
+    let word = ("impact.from", "Temple");
+    for changes in [[("angle_deg", "12"), word], [word, ("angle_deg", "12")]] {
+        assert_eq!(from(&with_all(bb.clone(), &changes)), (12.0, 9.0));
+    }
+    let whole = ("impact", "Projectile(mass_g: 1, diameter_mm: 6, speed_m_s: 9)");
+    let both = with_all(bb, &[("angle_deg", "12"), whole, word]);
+    assert_eq!(from(&both), (30.0, 9.0));
+}
+
+#[test]
+fn numbers_that_are_put_together_are_folded_once() {
+    let mut bb = preset("bb-62", &[]);
+    let [angle, hour] =
+        ["impact.angle_deg", "impact.angle_clock"].map(|p| fields::find(p).unwrap());
+    put_numbers(&mut bb, [(angle, -30.0), (hour, 3.0)]);
+    assert_eq!(from(&bb), (30.0, 9.0));
+}
+
+#[test]
+fn the_other_eye_is_hit_from_the_same_side() {
+    let bb = preset("bb-62", &[("impact.from", "Temple"), ("impact.offset_mm", "2")]);
+    let bb = with(bb, "impact.offset_clock", "4");
+    let side = fields::find("impact.from").unwrap();
+    let left = with(bb.clone(), "model.eye_side", "Left");
+    assert_eq!((from(&bb), from(&left)), ((30.0, 9.0), (30.0, 3.0)));
+    assert_eq!(side.text(&left).as_deref(), Some("Temple"));
+    assert_eq!(left.projectile().unwrap().offset_clock, 8.0);
+    assert_eq!(with(left.clone(), "model", "Physiological(eye_side: Right)"), bb);
+    assert_eq!(with(left, "model.eye_side", "Right"), bb);
+    let above = with(preset("bb-62", &[("impact.from", "Above")]), "model.eye_side", "Left");
+    assert_eq!(from(&above), (30.0, 12.0));
+    // An hour that is given with the eye is that of the eye.
+    let given = [("angle_clock", "9"), ("angle_deg", "30"), ("eye_side", "Left")];
+    let nose = with_all(preset("bb-62", &[]), &given);
+    assert_eq!(side.text(&nose).as_deref(), Some("Nose"));
+}

@@ -1,11 +1,13 @@
 //! What the keys do that belong to no single screen.
 
+use crate::plain_text::quoted;
 use crate::run::trace::Trace;
 use crate::scenario::{Scenario, set::set};
 use crate::tui::changes::{edit, presets, simulation, take_away, threshold, typing};
+use crate::tui::outbox::Effect;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
+use crate::tui::picker::{Choice, LAST, Picker};
 use crate::tui::{app::App, clock::Moment, form::strength, model::AppModel};
-use crate::tui::{outbox::Effect, picker::Choice};
 
 /// Queues an effect for the disk, the clipboard, the terminal or a worker.
 pub(crate) fn push(app: &mut App, effect: Effect) {
@@ -65,10 +67,37 @@ fn with_strength(model: &AppModel, choice: &Choice, typed: &str) -> Result<Scena
     model.allows(&scenario).map(|()| scenario)
 }
 
+/// The choices that several typed names find first, each with its place and its scenario; an error
+/// names the one that finds nothing, or may not be so fast.
+fn several(model: &AppModel, picker: &Picker) -> Result<Vec<(usize, Scenario)>, String> {
+    let one = |(name, strength): (&str, Option<&str>)| {
+        let nothing = || format!("nothing is called {}", quoted(name));
+        let at = Picker::place(&model.choices, name).ok_or_else(nothing)?;
+        let choice = &model.choices[at];
+        let scenario = match strength {
+            Some(typed) => with_strength(model, choice, typed),
+            None => choice.scenario.clone(),
+        };
+        scenario.map(|scenario| (at, scenario)).map_err(|why| format!("{name}: {why}"))
+    };
+    picker.several().into_iter().map(one).collect()
+}
+
 /// Accepts what is chosen in front of the screen, or what is typed.
 pub(crate) fn accept(app: &mut App) {
     let model = &mut app.model;
     match &model.overlay {
+        Some(Overlay::Picker(picker))
+            if picker.marked.is_some() && !picker.several().is_empty() =>
+        {
+            match several(model, picker) {
+                Ok(chosen) => {
+                    model.overlay = None;
+                    app.screens[app.screen].mark_several(model, chosen);
+                }
+                Err(why) => model.notice = Some(why),
+            }
+        }
         Some(Overlay::Picker(picker)) => {
             let Some(at) = picker.shown.get(picker.row).copied() else { return };
             let choice = &model.choices[at];
@@ -83,9 +112,14 @@ pub(crate) fn accept(app: &mut App) {
                 if let Some(scenario) = stronger {
                     app.screens[app.screen].take_changed(model, &name, &scenario);
                 }
+            } else if choice.origin == LAST {
+                // What is worked on already is that.
+                model.overlay = None;
+                presets::forget_last(model);
             } else {
                 model.overlay = None;
                 presets::open(model, at);
+                presets::forget_last(model);
                 if let Some(scenario) = stronger {
                     edit::change(model, model.work.with(scenario), "");
                 }
@@ -131,6 +165,8 @@ pub(crate) fn cancel(app: &mut App) {
         // Back to the list that it came from.
         if let Overlay::Name(Naming::Rename(from), ..) = left {
             presets::open_picker_at(model, &from);
+        } else {
+            presets::forget_last(model);
         }
     } else if model.form.typing.take().is_some() {
         // Nothing is typed any more.

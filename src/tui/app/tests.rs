@@ -33,7 +33,7 @@ mod typing;
 
 /// Opened, without its first simulation.
 fn opened() -> App {
-    prepare(&[], Look::default()).unwrap()
+    prepare(&["paper-300n".to_owned()], Look::default()).unwrap()
 }
 
 /// Opened, and its first simulation asked for.
@@ -293,7 +293,7 @@ fn more_scenarios_than_can_be_marked_are_counted() {
 #[test]
 fn saving_asks_for_a_name_and_before_it_hides_a_preset_and_counts_once_it_is_done() {
     let mut app = app();
-    press(&mut app, "ls");
+    press(&mut app, "l\x13");
     assert_eq!(offered(&app), "paper-300n-2");
     assert_eq!(press(&mut app, "\x15paper-300n\r"), []);
     let hide = Prompt::Hide("paper-300n".to_owned());
@@ -397,7 +397,7 @@ fn a_guest_may_not_go_beyond_its_bounds_by_any_way() {
     fine.scenario.eye.level = 4;
     change(&mut app.model, fine, "");
     assert_eq!(app.model.work.scenario.eye.level, 1);
-    press(&mut app, "s");
+    press(&mut app, "\x13");
     assert!(app.model.overlay.is_none());
     press(&mut app, "\x1b6");
     let asked = app.model.ensemble.task.job.as_ref().unwrap().question.count;
@@ -456,7 +456,7 @@ fn only_a_preset_of_ones_own_is_renamed_and_removed_and_an_undo_brings_it_back()
     press(&mut app, "\x1b");
     assert_eq!(press(&mut app, "u"), [Effect::Restore(hers.clone(), "its text".to_owned())]);
     assert_eq!(force(&app), 310.0, "the removal came last");
-    press(&mut app, "s");
+    press(&mut app, "\x13");
     assert_eq!(offered(&app), "hers");
     press(&mut app, "\x1b");
     press(&mut app, "q");

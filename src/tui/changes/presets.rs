@@ -2,7 +2,7 @@
 
 use crate::scenario::load::to_ron;
 use crate::tui::overlay::{Naming, Overlay, Prompt};
-use crate::tui::picker::{Choice, MAX_OWN, Picker};
+use crate::tui::picker::{Choice, LAST, MAX_OWN, Picker};
 use crate::tui::save::{SaveError, check_name, free_name};
 use crate::tui::work::Work;
 use crate::tui::{changes::edit::change, line::TextLine, model::AppModel, outbox::Effect};
@@ -31,6 +31,11 @@ pub(crate) fn open(model: &mut AppModel, index: usize) {
 
 pub(crate) fn open_picker(model: &mut AppModel) {
     open_picker_at(model, &model.work.source.clone());
+}
+
+/// The last blow is on the list at the start only: from then on it is what is worked on.
+pub(crate) fn forget_last(model: &mut AppModel) {
+    model.choices.retain(|choice| choice.origin != LAST);
 }
 
 /// Opens the list with the cursor on the preset of this name.

@@ -2,9 +2,9 @@
 
 use crate::report::command::{arguments, line};
 use crate::report::first_page::in_three_lines;
-use crate::tui::overlay::{MEGABYTE, Overlay, Prompt};
+use crate::tui::overlay::{Overlay, Prompt};
 use crate::tui::shown::ShownAnswer;
-use crate::tui::{model::AppModel, outbox::Effect, page::WritePage, request::Report};
+use crate::tui::{model::AppModel, page::WritePage, request::Report};
 
 /// An answer by the name of its source.
 pub(crate) type Named<'a> = (String, &'a ShownAnswer);
@@ -57,11 +57,8 @@ pub(crate) fn take_report(model: &mut AppModel, report: &mut Option<Report>) {
         match outcome {
             Some(page) => {
                 let (stem, text) = (asked.stem.clone(), page.into_bytes());
-                if text.len() > MEGABYTE {
-                    model.overlay = Some(Overlay::Prompt(Prompt::Page(stem, text)));
-                } else {
-                    model.out.effects.push(Effect::Page(stem, text));
-                }
+                // A letter alone writes no file.
+                model.overlay = Some(Overlay::Prompt(Prompt::Page(stem, text)));
             }
             None => model.notice = model.page.complaint.take().map(|(_, why)| why),
         }

@@ -37,17 +37,24 @@ pub(crate) fn key(model: &mut AppModel, event: KeyEvent) {
     });
 }
 
-/// Pasted text; whether it may begin a value.
+/// Pasted text, which `begins_value` where the cursor is on a number; nowhere is it taken for keys.
 pub(crate) fn paste(model: &mut AppModel, text: &str, begins_value: bool) {
+    let signs: Vec<char> = text.chars().filter(|c| !c.is_control()).take(LONGEST_PASTE).collect();
+    if signs.iter().all(|sign| sign.is_whitespace()) {
+        return;
+    }
     if begins_value {
         begin(model, true);
     }
-    type_into(model, |line| {
-        for c in text.chars().filter(|c| !c.is_control()).take(200) {
-            line.put(c);
-        }
-    });
+    if model.overlay.is_none() && model.form.typing.is_none() {
+        model.notice = Some("nothing is typed here, so nothing is pasted".to_owned());
+        return;
+    }
+    type_into(model, |line| signs.iter().for_each(|sign| line.put(*sign)));
 }
+
+/// Signs of a paste that are taken.
+const LONGEST_PASTE: usize = 200;
 
 /// Changes the text that is being typed and says what is wrong with it, but changes no value.
 pub(crate) fn type_into(model: &mut AppModel, change: impl FnOnce(&mut TextLine)) {

@@ -181,15 +181,25 @@ fn result(ensemble: &Ensemble, (of, chosen): (Quantity, bool), sheet: &mut Sheet
     if left + SHORTEST < area.width {
         let nominal = ensemble.nominal.as_ref().and_then(|n| n[of]);
         let field = (area.width - left - 1, 1);
-        strip(band, nominal, &mut sheet.part((left, 0), field));
+        strip((band, nominal), ends_of(ensemble, of.row().unit), &mut sheet.part((left, 0), field));
     }
 }
 
-/// A band as a line with its median, and the nominal value.
-fn strip(band: Band, nominal: Option<f64>, sheet: &mut Sheet) {
+/// The ends of the one scale of all results of a unit, 0 among them: so bands of one unit can be
+/// compared, and a narrow one looks narrow.
+fn ends_of(ensemble: &Ensemble, unit: &str) -> (f64, f64) {
+    let alike = ensemble.results().into_iter().filter(|of| of.row().unit == unit);
+    let ends = alike.filter_map(|of| {
+        let band = ensemble.band(of)?;
+        let own = ensemble.nominal.as_ref().and_then(|n| n[of]).unwrap_or(band.median);
+        Some((band.low.min(own), band.high.max(own)))
+    });
+    ends.fold((0.0, 0.0), |all, (low, high)| (all.0.min(low), all.1.max(high)))
+}
+
+/// A band as a line with its median, and the nominal value, on a scale with these ends.
+fn strip((band, nominal): (Band, Option<f64>), (low, high): (f64, f64), sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let own = nominal.unwrap_or(band.median);
-    let (low, high) = (band.low.min(own), band.high.max(own));
     let wide = high - low;
     let last = f64::from(area.width - 1);
     let place = |value: f64| {
@@ -208,7 +218,7 @@ fn strip(band: Band, nominal: Option<f64>, sheet: &mut Sheet) {
 
 fn drivers(ensemble: &Ensemble, result: Quantity, sheet: &mut Sheet) {
     let (area, theme) = (sheet.area, sheet.theme);
-    let text = format!("What drives {}: rank correlation", result.label());
+    let text = format!("What drives {}: 0 nothing, 1 alone", result.label());
     let end = sheet.put((1, 0), &text, theme.heading());
     let rows = usize::from(area.height.saturating_sub(1));
     let all = ensemble.inputs.len();

@@ -5,7 +5,7 @@ use crate::run::trace::{TRACES, Trace};
 use crate::run::{kept::Traces, quantity::Quantity, result_trace::Group};
 use crate::tui::keys::press::{LEFT, RIGHT, SHIFT_LEFT, SHIFT_RIGHT, c};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
-use crate::tui::view::chart::{TimeChart, TimeCurve, active, mark, value_at};
+use crate::tui::view::chart::{TimeChart, TimeCurve, active, colour_of, mark, value_at};
 use crate::tui::view::{below, raster::Ink, sheet::Sheet, text::width};
 use crate::tui::{clock::peak_said, keys::TimeKeys};
 use crate::tui::{model::AppModel, shown::ShownAnswer, step::Step};
@@ -170,9 +170,9 @@ fn chart(
     sheet: &mut Sheet,
 ) {
     let (area, theme, cursor) = (sheet.area, sheet.theme, model.time());
-    // A curve by itself keeps its colour in every view.
+    // A curve by itself has its colour on every screen.
     let first = match courses {
-        [only] => recorded(traces).position(|course| course == *only),
+        [only] => Some(colour_of(*only)),
         _ => None,
     };
     let curves = (0_u8..).zip(courses).map(|(i, course)| {

@@ -7,9 +7,12 @@ use crate::injury::{Injury, Risk};
 use crate::report::figure::{Figure, SCALE, unusable};
 use crate::report::format::{capital, digits};
 use crate::report::ladder::{Rung, between, ladder};
-use crate::report::look_for::hours;
-use crate::report::risks::{basis, first_line};
+use crate::report::look_for::{hours, look_for};
+use crate::report::risks::{basis, silence};
+use crate::report::sentence::sentence;
 use crate::run::quantity::{Quantity, Row};
+use crate::run::sectors::{HOURS, QUADRANTS, Sectors};
+use crate::scenario::Projectile;
 use crate::tui::keys::press::{DOWN, UP, c};
 use crate::tui::screens::screen::{Pane, PaneKeys, Panes, Screen, bind};
 use crate::tui::view::risks::{SIGN_ROWS, draw_signs, rows};
@@ -25,7 +28,7 @@ const WIDEST: u16 = 120;
 /// Columns beside it from which on there is room for the eye.
 const PICTURED: u16 = 40;
 /// Rows of what explains the chosen injury, at least.
-const EXPLAINED: u16 = 2;
+const EXPLAINED: u16 = 3;
 /// Rows of what explains it above the ladder of known objects.
 const LADDER_BELOW: u16 = 7;
 /// Rungs that a ladder has at least.
@@ -81,19 +84,31 @@ fn pictured(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet
     EyePicture::of(model, shown, time).draw(Rect { height, ..area }, sheet.buffer);
 }
 
-/// Said where every hour feels the same.
-const ROUND: &str = "Straight on the eye is round here: every hour feels the same. Turn the blow, \
-    or set numerics.geometry to Full.";
+/// Said where a section is hit from the side.
+const NO_HOURS: &str = "At which hour the retina feels most is not told: this eye is computed as a \
+    section. The row Geometry, among the advanced ones, takes the whole eye.";
 
 fn fundus(shown: &ShownAnswer, sheet: &mut Sheet) {
     draw_signs(sheet);
     let area = sheet.area;
     let sheet = &mut sheet.at(Rect { height: area.height.saturating_sub(SIGN_ROWS), ..area });
-    let Some(sectors) = &shown.answer.run.sectors else {
-        sheet.put_wrapped((1, 1), ROUND, sheet.theme.text());
-        return;
+    let (answer, side) = (&shown.answer, shown.scenario.eye_side());
+    // A section has no hours: straight on it is the same all round, from the side nothing is known.
+    let round = || {
+        let felt = |of: Injury| Some(answer.result(of.measure())? / of.measure().row().factor);
+        let straight = shown.scenario.projectile().is_some_and(Projectile::is_straight_on);
+        let [edge, back] = [Injury::RetinaFront, Injury::RetinaBack].map(felt);
+        let (edge, back) = edge.zip(back).filter(|_| straight)?;
+        let (edge, back) = ([edge; HOURS], [back; QUADRANTS]);
+        Some(Sectors { edge, back, ..Sectors::default() })
     };
-    fundus::draw(sectors, shown.scenario.eye_side(), sheet);
+    let sectors = answer.run.sectors.or_else(round);
+    if let (Some(sectors), Some(blow)) = (sectors, &answer.case.blow) {
+        fundus::draw(&sectors, &blow.points, side, sheet);
+    } else {
+        let why = silence(answer).unwrap_or_else(|| NO_HOURS.to_owned());
+        sheet.put_wrapped((1, 1), &why, sheet.theme.text());
+    }
 }
 
 fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
@@ -106,7 +121,10 @@ fn draw(row: usize, model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
     let area = sheet.area;
     let risks = shown.answer.risks();
     let Some(risk) = risks.get(row) else {
-        sheet.put_wrapped((1, 1), &first_line(&shown.answer), theme.text());
+        let said = sentence(&shown.scenario, &shown.answer);
+        let below = sheet.put_wrapped((1, 1), &said, theme.text());
+        let why = silence(&shown.answer).unwrap_or_default();
+        sheet.put_wrapped((1, below + 1), &why, theme.quiet());
         return;
     };
     let count = risks.len() as u16;
@@ -161,7 +179,7 @@ fn explained(shown: &ShownAnswer, risk: &Risk, each: u16) -> Vec<String> {
     let mut said = vec![format!("{}: {}.", capital(risk.injury.name()), risk.words())];
     let not_excluded = !risk.usable || risk.is_open() || risk.gravity() > 0;
     if risk.clinic.is_some() && not_excluded {
-        said.extend(risk.injury.look_for().map(str::to_owned));
+        said.extend(look_for(risk.injury).map(str::to_owned));
         let hours = hours(&shown.answer, risk.injury, shown.scenario.eye_side());
         said.extend(hours.map(|hours| format!("Most at {hours}.")));
     }

@@ -87,6 +87,9 @@ pub trait Screen: Keyed + Any {
     /// Takes the choice of this place in the list that it opened to mark some.
     fn mark_choice(&mut self, _model: &mut AppModel, _place: usize) {}
 
+    /// Takes several choices by their places in that list, each with its scenario.
+    fn mark_several(&mut self, _model: &mut AppModel, _chosen: Vec<(usize, Scenario)>) {}
+
     /// Takes another scenario for what is called so, after a field of it was changed.
     fn take_changed(&mut self, _model: &mut AppModel, _name: &str, _scenario: &Scenario) {}
 

@@ -11,8 +11,8 @@ use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
 use signal_hook::consts::signal::SIGXFSZ;
 use signal_hook::consts::{
-    SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
-    SIGWINCH,
+    SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1,
+    SIGUSR2, SIGVTALRM, SIGWINCH, SIGXCPU,
 };
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
@@ -77,8 +77,11 @@ pub(super) fn restore_on_abort(is_entered: fn() -> bool) -> io::Result<()> {
 
 /// Listens to every signal that would end or stop the app and leave the terminal as it is.
 pub(super) fn signals() -> io::Result<Signals> {
-    let ends = [SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM];
-    Signals::new(ends.into_iter().chain([SIGWINCH, SIGCONT, SIGXFSZ]))
+    let asked = [SIGTERM, SIGINT, SIGQUIT, SIGHUP, SIGUSR1, SIGUSR2];
+    // Of clocks, and of `ulimit -t`.
+    let clocks = [SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU];
+    let others = [SIGWINCH, SIGCONT, SIGXFSZ];
+    Signals::new(asked.into_iter().chain(clocks).chain(others))
 }
 
 /// Sends what is typed and which signals come.

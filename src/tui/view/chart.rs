@@ -4,6 +4,8 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Borders, Widget};
 
 use crate::report::format::trimmed;
+use crate::run::quantity::Quantity;
+use crate::run::trace::{TRACES, Trace};
 use crate::tui::view::raster::{Ink, Raster};
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::{text::width, theme::Theme};
@@ -237,6 +239,18 @@ fn ticks(low: f64, high: f64, count: u16) -> Vec<f64> {
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// Which of the colours of curves a course has wherever it is drawn by itself: what an eye feels
+/// one each, the rest its place among its likes.
+pub fn colour_of(course: Trace) -> usize {
+    if let Trace::Of(of) = course
+        && let Some(place) = Quantity::FELT.iter().position(|felt| *felt == of)
+    {
+        return place;
+    }
+    let likes = TRACES.iter().filter(|other| other.row().place.0 == course.row().place.0);
+    Quantity::FELT.len() + likes.take_while(|other| **other != course).count()
 }
 
 /// Tells curves apart in ASCII and in legends without colour.

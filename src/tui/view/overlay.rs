@@ -10,7 +10,7 @@ use crate::report::threshold::{brief, never};
 use crate::tui::changing::Changing;
 use crate::tui::form::{allowed, typed_text};
 use crate::tui::overlay::{Naming, Overlay, Prompt};
-use crate::tui::picker::{Picker, facts};
+use crate::tui::picker::{LAST, Picker, facts};
 use crate::tui::view::text::{fitted, seen, width, wrapped};
 use crate::tui::view::{chart::mark, sheet::Sheet};
 use crate::tui::{line::TextLine, model::AppModel, picker::Choice, threshold::Asking};
@@ -135,10 +135,16 @@ const REST: u16 = 49;
 /// Rows above the list and below it.
 const ABOVE: u16 = 2;
 
-/// What the first start says below the list.
-const WELCOME: [&str; 2] = [
-    "Speed and all else can be changed afterwards. p: this list again.",
-    "Esc: the blow of the paper, a force of 300 N for 0.2 ms.",
+/// What is said below the list at the start, with a last blow on top of it and without.
+const WELCOME: [[&str; 2]; 2] = [
+    [
+        "Enter opens, Esc takes the first: the last blow, as it was left.",
+        "Letters find a preset, squash@30 gives it a speed. p: this list again.",
+    ],
+    [
+        "Enter opens, Esc takes a squash ball at 40 m/s.",
+        "Letters find a preset, squash@30 gives it a speed. p: this list again.",
+    ],
 ];
 
 /// The list of everything that can be opened.
@@ -149,7 +155,7 @@ fn pick(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
         _ if picker.marked.is_some() => "Mark two to six",
         _ => "Open",
     };
-    let below = if picker.first { 1 + WELCOME.len() as u16 } else { 0 };
+    let below = if picker.first { 1 + WELCOME[0].len() as u16 } else { 0 };
     let high = model.choices.len() as u16 + ABOVE + below + 2;
     let sheet = &mut frame(title, (area.width.min(92), high), sheet);
     let inside = sheet.area;
@@ -178,8 +184,10 @@ fn pick(model: &AppModel, picker: &Picker, sheet: &mut Sheet) {
         sheet.put((0, ABOVE), "nothing is called so", theme.quiet());
     }
     if picker.first {
-        let top = inside.height.saturating_sub(WELCOME.len() as u16);
-        let lines = WELCOME.map(|text| fitted(text, usize::from(inside.width)));
+        let top = inside.height.saturating_sub(WELCOME[0].len() as u16);
+        let goes_on = model.choices.iter().any(|choice| choice.origin == LAST);
+        let lines =
+            WELCOME[usize::from(!goes_on)].map(|text| fitted(text, usize::from(inside.width)));
         sheet.put_lines((0, top), lines, theme.text());
     }
 }

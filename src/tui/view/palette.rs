@@ -120,41 +120,41 @@ macro_rules! roles {
 
 roles! {
     quiet: 246, 241, None, "text of less weight, frames and axes";
-    heading: 80, 24, Some(6), "headings";
-    warning: 221, 94, Some(11), "something to beware of";
-    error: 203, 160, Some(9), "something wrong";
+    heading: 110, 24, Some(6), "headings, and bars that are no risk";
+    warning: 141, 91, Some(13), "something to beware of";
+    error: 177, 127, Some(13), "something wrong";
     bar: 252, 236, None, "the bars at the top and the bottom";
     bar_ground: 236, 253, None, "what is behind them";
     chosen: 16, 231, None, "what is chosen in a bar";
-    chosen_ground: 80, 24, None, "what is behind it";
-    load: 84, 22, Some(10), "the load and its arc";
-    cursor: 123, 25, Some(14), "the mark of the present moment";
-    curve_1: 80, 24, Some(14), "the first of several curves";
-    curve_2: 221, 94, Some(11), "the second";
-    curve_3: 176, 127, Some(13), "the third";
-    curve_4: 114, 22, Some(10), "the fourth";
-    curve_5: 209, 124, Some(9), "the fifth";
-    curve_6: 254, 238, Some(15), "the sixth";
-    harmless: 114, 22, Some(10), "the least of index and risk";
-    mild: 221, 94, Some(11), "the step above";
-    serious: 209, 160, Some(9), "the next";
-    grave: 203, 88, Some(9), "the most";
+    chosen_ground: 110, 24, None, "what is behind it";
+    load: 250, 238, None, "the load and its arc";
+    cursor: 255, 232, None, "the mark of the present moment";
+    curve_1: 80, 23, Some(14), "the first of several curves";
+    curve_2: 254, 16, Some(15), "the second";
+    curve_3: 69, 26, Some(12), "the third";
+    curve_4: 180, 89, Some(5), "the fourth";
+    curve_5: 175, 61, Some(7), "the fifth";
+    curve_6: 245, 241, Some(6), "the sixth";
+    harmless: 114, 22, Some(10), "a risk that is not expected";
+    mild: 221, 94, Some(11), "one that cannot be excluded";
+    serious: 208, 160, Some(3), "one that is possible";
+    grave: 203, 88, Some(9), "one that is likely or almost certain";
     interior: 243, 242, None, "what fills the globe";
     lens: 152, 24, Some(7), "the lens";
     shell: 252, 238, Some(7), "cornea and sclera as lines";
-    retina: 197, 125, Some(9), "the retina";
+    retina: 174, 125, Some(5), "the retina";
     fat: 101, 95, None, "the fat behind the eye";
     orbit: 137, 94, Some(3), "the bone as a line";
     cornea: 123, 44, Some(14), "the cornea";
     sclera: 255, 254, Some(15), "the sclera";
-    pressed: 226, 220, Some(11), "where the object presses";
+    pressed: 206, 163, Some(13), "where the object presses";
     iris: 75, 26, Some(12), "the iris";
-    ciliary: 95, 95, Some(5), "the ciliary body";
+    ciliary: 96, 96, Some(5), "the ciliary body";
     nerve: 186, 143, Some(7), "the optic nerve";
-    bone: 94, 137, Some(3), "the bone";
-    fat_ground: 235, 180, None, "what is behind the fat";
-    object: 209, 216, Some(13), "what hits the eye";
-    skin: 167, 167, Some(5), "its outline";
+    bone: 95, 137, Some(3), "the bone";
+    fat_ground: 235, 223, None, "what is behind the fat";
+    object: 247, 248, Some(7), "what hits the eye";
+    skin: 59, 242, Some(8), "its outline";
 }
 
 /// The sixteen colours that every colour terminal has, in its order, by name.

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use crate::answer::solve::Answer;
-use crate::injury::{BURST, Injury, Risk, SIGNS};
+use crate::injury::{BURST, Injury, Risk, SIGNS, Share};
 use crate::report::figure::{Figure, unusable, with_unit};
 use crate::report::{bone, format::digits};
 use crate::run::flags::FlagKind;
@@ -14,18 +14,18 @@ use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
 use crate::tui::{shown::ShownAnswer, view::below, view::sheet::Sheet};
 
 /// What [`SIGNS`] comes to where room is short, and where it is shortest.
-const SHORT_SIGNS: [&str; 2] = [
+const SHORT_SIGNS: [&str; 3] = [
     "Pain, poor vision, blood: eye doctor today; a low figure is no reassurance. Not a diagnosis.",
-    "Pain or poor vision: eye doctor today, however low the figures.",
+    "Pain, poor vision, blood: eye doctor today, however low a risk. Not a diagnosis",
+    "Pain or poor vision: eye doctor today, however low a risk.",
 ];
 /// Rows that the signs take.
-pub const SIGN_ROWS: u16 = 2;
+pub const SIGN_ROWS: u16 = 1;
 
 /// The signs that need an eye doctor, in the longest words that fit into [`SIGN_ROWS`].
-pub fn signs(room: u16) -> Vec<String> {
-    let [short, shortest] = SHORT_SIGNS;
-    let fits = |text: &&str| wrapped(text, room.into()).len() <= SIGN_ROWS.into();
-    wrapped([SIGNS, short].into_iter().find(fits).unwrap_or(shortest), room.into())
+pub fn signs(room: u16) -> &'static str {
+    let mut texts = [SIGNS].into_iter().chain(SHORT_SIGNS);
+    texts.find(|text| width(text) <= room).unwrap_or(SHORT_SIGNS[2])
 }
 
 /// An injury and what is said of it, in the longest words that there is room for.
@@ -68,11 +68,11 @@ fn felt(answer: &Answer, risk: &Risk, room: u16) -> String {
 }
 
 /// An injury's name of at most 13 letters.
-fn short_name(injury: Injury) -> &'static str {
+pub fn short_name(injury: Injury) -> &'static str {
     match injury {
         Injury::RetinaBack => "retina, back",
         Injury::RetinaFront => "retina, edge",
-        Injury::LensDislocation => "lens torn off",
+        Injury::LensDislocation => "lens",
         Injury::CornealAbrasion => injury.word(),
         Injury::GlobeRupture | Injury::Hyphema => injury.name(),
     }
@@ -96,7 +96,7 @@ const NARROW: Columns = Columns { name: short_name, word: 14, ends: [36, 43, 48]
 /// Columns of the longest word.
 const WORD: u16 = 18;
 /// The fewest columns of a bar.
-const SHORTEST: u16 = 10;
+pub const SHORTEST: u16 = 10;
 
 impl Columns {
     /// The widest that fit, all of them or all but what was seen.
@@ -156,7 +156,7 @@ impl Columns {
     }
 }
 
-/// Draws each risk below a heading, in `each` rows: the second says what the tissue felt.
+/// Draws each risk below a heading, in `each` rows: the second says what was seen and felt.
 pub fn rows(
     answer: &Answer,
     (heading, style): (&str, Style),
@@ -194,10 +194,15 @@ pub fn rows(
         sheet.put((0, y), (columns.name)(risk.injury), style);
         columns.row(risk, &mut sheet.row(y));
         if let Some(bar) = bar.filter(|_| is_told(risk)) {
-            draw_bar(risk, &mut sheet.at(below(bar, y)));
+            draw_bar(&risk.share(), theme.risk(risk), &mut sheet.at(below(bar, y)));
         }
         if each > 1 {
-            sheet.put((2, y + 1), felt(answer, risk, area.width - 2), theme.quiet());
+            let felt = felt(answer, risk, area.width - 2);
+            let seen = risk.seen().map(|seen| format!("seen {seen}"));
+            let texts = seen.map(|seen| [format!("{seen}; {felt}"), seen, felt.clone()]);
+            let text =
+                texts.as_ref().map_or(&felt[..], |texts| longest_fitting(texts, area.width - 2));
+            sheet.put((2, y + 1), text, theme.quiet());
         }
     }
 }
@@ -249,27 +254,26 @@ pub fn limits(shown: &ShownAnswer, room: usize, rows: usize) -> Vec<String> {
     fitting.unwrap_or_else(|| wrapped(brief.first().unwrap_or(&""), room))
 }
 
-/// The range of a risk from 0 to 100 %, and what is told.
-fn draw_bar(risk: &Risk, sheet: &mut Sheet) {
-    let (area, theme, share) = (sheet.area, sheet.theme, risk.share());
+/// A bar from 0 to 100 % with a range on it, and in that what is told.
+pub fn draw_bar(share: &Share, style: Style, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
     let column = |share: f64| (share * f64::from(area.width - 1)).round() as u16;
     let (low, high) = (column(share.low), column(share.high));
     for x in 0..area.width {
         let (mark, style) = match x {
-            x if x == column(share.told) => ("◆", theme.risk(risk)),
-            x if (low..=high).contains(&x) => ("═", theme.risk(risk)),
+            x if x == column(share.told) => ("◆", style),
+            x if (low..=high).contains(&x) => ("━", style),
             _ => ("·", theme.quiet()),
         };
         sheet.put((x, 0), mark, style);
     }
 }
 
-/// Draws the signs into the last rows of an area.
+/// Draws the signs into the last row of an area.
 pub fn draw_signs(sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let signs = signs(area.width - 1);
-    let top = area.height.saturating_sub(signs.len() as u16);
-    sheet.put_lines((1, top), signs, theme.heading());
+    let area = sheet.area;
+    let row = area.height.saturating_sub(SIGN_ROWS);
+    sheet.put((0, row), signs(area.width), sheet.theme.text());
 }
 
 #[cfg(test)]
@@ -303,14 +307,14 @@ mod tests {
     }
 
     #[test]
-    fn the_signs_keep_what_counts_at_every_width() {
-        for room in 32..200 {
+    fn the_signs_keep_what_counts_in_one_row_at_every_width() {
+        for room in 60..200 {
             let signs = signs(room);
-            assert!(signs.len() <= SIGN_ROWS.into(), "{signs:?}");
-            let signs = signs.join(" ");
-            for word in ["ain", "vision", "eye doctor today", "low"] {
+            assert!(width(signs) <= room, "{signs} in {room}");
+            for word in ["ain", "vision", "eye doctor", "today", "low"] {
                 assert!(signs.contains(word), "{signs}");
             }
         }
+        assert!(signs(80).ends_with("Not a diagnosis"));
     }
 }

@@ -101,7 +101,7 @@ impl Theme {
         pick(curves[index % curves.len()], [PLAIN, BOLD, DIM][index % 3])
     }
 
-    /// One of four steps from harmless to grave.
+    /// The one ladder of risk, by the places of its words: green is what is not expected.
     fn grave(self, step: usize) -> Style {
         let of = self.colours;
         let steps = [of.harmless, of.mild, of.serious, of.grave];
@@ -111,14 +111,9 @@ impl Theme {
         if is_bold { style.bold() } else { style }
     }
 
-    /// Something that is so many times its limit.
-    pub fn gauge(self, share: f64) -> Style {
-        self.grave(Self::gauge_step(share))
-    }
-
-    /// The step of that from 0 to 3: where one begins is at its limit times a power of two.
-    pub fn gauge_step(share: f64) -> usize {
-        [0.5, 1.0, 2.0].iter().take_while(|limit| share >= **limit).count()
+    /// A bar of what is no risk.
+    pub fn filled(self) -> Style {
+        pick(self.colours.heading, PLAIN)
     }
 
     /// A risk as its word goes; quiet where nothing is known, which is not harmless.
@@ -127,9 +122,14 @@ impl Theme {
         if is_told { self.grave(risk.gravity()) } else { self.quiet() }
     }
 
+    /// A share of eyes with its range.
+    pub fn share(self, share: &Share) -> Style {
+        self.grave(gravity(share))
+    }
+
     /// A risk from 0 to 1 of which no upper end is known: never harmless.
     pub fn told(self, risk: f64) -> Style {
-        self.grave(gravity(&Share { told: risk, low: risk, high: 1.0 }))
+        self.share(&Share { told: risk, low: risk, high: 1.0 })
     }
 
     /// The colours of heat; without colours the steps are told by glyphs and bold.
@@ -163,7 +163,7 @@ impl Theme {
             Part::Globe if self.is_mono() => return Color::Reset,
             Part::Globe if self.look.depth == Depth::TwoFiveSix => return ink(FIELD[step]),
             Part::Globe => return ink(FIELD_16[step * FIELD_16.len() / FIELD.len()]),
-            Part::Object => of.object,
+            Part::Object | Part::Veil => of.object,
             Part::Skin => of.skin,
             Part::Fat => of.fat_ground,
             Part::Bone => of.bone,
@@ -187,7 +187,7 @@ impl Theme {
     /// The dots of an outline at rest, on a part.
     pub fn ghost(self, on: Part) -> Color {
         let (many, few) = match on {
-            Part::Object | Part::Skin => (52, 0),
+            Part::Object | Part::Skin => (16, 0),
             Part::Sky | Part::Fat => (246, 8),
             _ => (250, 7),
         };
@@ -280,6 +280,89 @@ mod tests {
                 let ratio = contrast(ink, role.bg.unwrap_or(ground));
                 assert!(ratio >= READABLE, "{role:?} on {ground:?}: {ratio:.2}");
             }
+        }
+    }
+
+    /// CIE L*, a* and b* of one of the 256 colours in daylight (D65).
+    fn lab(color: Color) -> [f64; 3] {
+        let curve = |c: f64| ((c + 0.055) / 1.055).powf(2.4);
+        let linear = |c: f64| if c <= 0.040_45 { c / 12.92 } else { curve(c) };
+        let [r, g, b] = rgb(color).map(linear);
+        let x = (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505;
+        let y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+        let z = (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089;
+        let f = |t: f64| if t > 0.008_856 { t.cbrt() } else { 7.787 * t + 16.0 / 116.0 };
+        let [x, y, z] = [x, y, z].map(f);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// How far two colours lie apart; 2.3 is just seen (CIE 1976).
+    fn apart(a: Color, b: Color) -> f64 {
+        let squared = lab(a).into_iter().zip(lab(b)).map(|(a, b)| (a - b) * (a - b));
+        squared.sum::<f64>().sqrt()
+    }
+
+    #[test]
+    fn steps_of_risk_are_told_apart_and_nothing_else_has_their_colours() {
+        for light in [false, true] {
+            let theme = theme(Depth::TwoFiveSix, HeatMap::Hot, light);
+            let ladder: Vec<Color> = (0..4).filter_map(|step| theme.grave(step).fg).collect();
+            assert_eq!(ladder.len(), 4);
+            for (i, step) in ladder.iter().enumerate() {
+                for other in &ladder[..i] {
+                    assert!(apart(*step, *other) > 25.0, "{step:?} {other:?}");
+                }
+                let mut others = vec![theme.heading(), theme.warning(), theme.error()];
+                others.extend([theme.load(), theme.cursor(), theme.quiet()]);
+                others.extend((0..6).map(|i| theme.curve(i)));
+                let others = others.into_iter().filter_map(|style| style.fg);
+                let parts = [Part::Object, Part::Skin, Part::Pressed, Part::Retina, Part::Cornea];
+                for other in others.chain(parts.map(|part| theme.part(part, 0))) {
+                    let far = apart(*step, other);
+                    assert!(far > 20.0, "{step:?} and {other:?}, light {light}: {far:.0}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn curves_and_neighbours_of_the_picture_are_told_apart() {
+        for light in [false, true] {
+            let theme = theme(Depth::TwoFiveSix, HeatMap::Hot, light);
+            let curves: Vec<Color> = (0..6).filter_map(|i| theme.curve(i).fg).collect();
+            for (i, curve) in curves.iter().enumerate() {
+                for other in &curves[..i] {
+                    let far = apart(*curve, *other);
+                    assert!(far > 20.0, "{curve:?} and {other:?}, light {light}: {far:.0}");
+                }
+            }
+            for (a, b) in [
+                (Part::Object, Part::Cornea),
+                (Part::Object, Part::Pressed),
+                (Part::Object, Part::Skin),
+                (Part::Object, Part::Bone),
+                (Part::Pressed, Part::Cornea),
+                (Part::Pressed, Part::Sclera),
+                (Part::Retina, Part::Sclera),
+                (Part::Iris, Part::Lens),
+                (Part::Bone, Part::Fat),
+            ] {
+                let far = apart(theme.part(a, 0), theme.part(b, 0));
+                assert!(far > 15.0, "{a:?} beside {b:?}, light {light}: {far:.0}");
+            }
+        }
+    }
+
+    #[test]
+    fn sixteen_colours_keep_the_ladder_the_warnings_and_the_object_apart() {
+        let theme = theme(Depth::Sixteen, HeatMap::Hot, false);
+        let mut seen: Vec<Option<Color>> = (0..4).map(|step| theme.grave(step).fg).collect();
+        seen.extend([theme.warning().fg, theme.heading().fg, theme.curve(0).fg]);
+        seen.extend([Some(theme.part(Part::Object, 0)), Some(theme.part(Part::Cornea, 0))]);
+        for (i, colour) in seen.iter().enumerate() {
+            let cornea_is_the_first_curve = i == seen.len() - 1;
+            let same = seen[..i].iter().any(|other| other == colour);
+            assert!(!same || cornea_is_the_first_curve, "{colour:?} of {seen:?}");
         }
     }
 

@@ -2,8 +2,8 @@
 //!
 //! For injury j, kind k: `L_jk = mu_j - b_jk` is log10 of the kind's point of 50 %, of which
 //! [`crate::verify::clinics::shares`] makes what a clinic finds. Over kinds,
-//! `b_j = kappa_j C^(1/2) z_j` is a Gaussian process (see [`crate::injury::points`]). Speeds are off
-//! by `u_k` for each kind and by c for all. A count is beta-binomial of the share, with
+//! `b_j = kappa_j C^(1/2) z_j` is a Gaussian process (see [`crate::injury::points`]). Speeds are
+//! off by `u_k` for each kind and by c for all. A count is beta-binomial of the share, with
 //! concentration [`Choices::concentration`].
 //!
 //! In laboratories `L_jk` + `lambda_j` counts, which published points of 50 % tell of.

@@ -1,9 +1,10 @@
 //! The share of each injury that a clinic finds in those who came after blows of one kind.
 //!
 //! An eye is hurt with `r = Phi((log10 m - L)/sigma)`, where m is what its tissue felt at one of
-//! seven speeds (Gauss and Hermite's points of a normal distribution of log10 of the speed) from one
-//! of six directions. Who comes and what is found follow [`crate::injury::clinic`]. Only thirteen
-//! numbers of a kind matter: L and ln sigma of each injury and the shift of log10 of its speeds.
+//! seven speeds (Gauss and Hermite's points of a normal distribution of log10 of the speed) from
+//! one of six directions. Who comes and what is found follow [`crate::injury::clinic`]. Only
+//! thirteen numbers of a kind matter: L and ln sigma of each injury and the shift of log10 of its
+//! speeds.
 
 use crate::injury::clinic::Setting;
 use crate::injury::way_in::{self, WayIn};

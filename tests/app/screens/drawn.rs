@@ -65,8 +65,9 @@ pub fn app(sources: &[&str], depth: Depth) -> App {
     app_by(sources, depth, made_up::answer)
 }
 
-/// Opened on these presets, with the answers that `find` gives.
+/// Opened on these presets, or the paper's blow, with the answers that `find` gives.
 pub fn app_by(sources: &[&str], depth: Depth, find: fn(&Scenario) -> Answer) -> App {
+    let sources = if sources.is_empty() { &["paper-300n"] } else { sources };
     let sources: Vec<String> = sources.iter().map(|s| (*s).to_owned()).collect();
     let mut app = prepare(&sources, look(depth)).unwrap();
     // A person's own presets would change the pictures.

@@ -21,7 +21,8 @@ const SPACING: f64 = 1.1;
 const FARTHEST: f64 = 0.3;
 /// Growth of a ball's radius over its squeeze.
 const WIDENING: f64 = 0.5 * (FRAC_PI_2 - 1.0);
-/// Stiffness of some 75 mm of cortical bone of 15e9 Pa, in Pa/m.
+/// Stiffness of some 75 mm of cortical bone of 15e9 Pa, in Pa/m. How it compares with the bone of
+/// the eye in three dimensions: see [`crate::models`].
 const BONE: f64 = 2e11;
 /// Courant number of the object on bone over that of the cells.
 const COURANT: f64 = 0.4 / 0.6;

@@ -4,7 +4,7 @@
 //! because it may jump there; reusing the stale one costs an order of accuracy.
 
 use crate::models::paper::forces::{kernel::Survey, state::State, system::System};
-use crate::models::paper::time::stepper::EqualSteps;
+use crate::models::paper::time::{method::Method, stepper::EqualSteps};
 use crate::models::pulse::{Piece, Pulse, Segment};
 use crate::run::plan::{Cost, Plan};
 use crate::run::refusal::Refusal;
@@ -26,41 +26,39 @@ pub struct Moment<'a> {
     pub starts: bool,
 }
 
-impl Plan {
-    /// Steps that the step length asks of a segment, and the least it is given.
-    fn needed_and_least(&self, segment: &Segment) -> (f64, f64) {
-        let length = segment.end - segment.start;
-        // A length that is a whole number of steps must not gain one by rounding.
-        let needed = (length / self.step - 1e-9).ceil();
-        let least = if segment.piece == Piece::Nothing { LEAST_STEPS.1 } else { LEAST_STEPS.0 };
-        (needed, least)
-    }
+/// Steps that the step length asks of a segment, and the least it is given.
+fn needed_and_least(plan: &Plan, segment: &Segment) -> (f64, f64) {
+    let length = segment.end - segment.start;
+    // A length that is a whole number of steps must not gain one by rounding.
+    let needed = (length / plan.step - 1e-9).ceil();
+    let least = if segment.piece == Piece::Nothing { LEAST_STEPS.1 } else { LEAST_STEPS.0 };
+    (needed, least)
+}
 
-    /// Number of steps that a segment takes.
-    pub fn steps_in(&self, segment: &Segment) -> usize {
-        let (needed, least) = self.needed_and_least(segment);
-        (needed.max(least) * self.multiple.max(1.0)).ceil() as usize
-    }
+/// Number of steps that a segment takes.
+pub fn steps_in(plan: &Plan, segment: &Segment) -> usize {
+    let (needed, least) = needed_and_least(plan, segment);
+    (needed.max(least) * plan.multiple.max(1.0)).ceil() as usize
+}
 
-    /// Whether the segment is so short that the step length does not decide.
-    pub fn at_least_steps(&self, segment: &Segment) -> bool {
-        let (needed, least) = self.needed_and_least(segment);
-        needed < least
-    }
+/// Whether the segment is so short that the step length does not decide.
+pub fn at_least_steps(plan: &Plan, segment: &Segment) -> bool {
+    let (needed, least) = needed_and_least(plan, segment);
+    needed < least
+}
 
-    /// Number of steps in all.
-    pub fn steps(&self, pulse: &Pulse) -> usize {
-        pulse.segments(self.window).iter().map(|s| self.steps_in(s)).sum()
-    }
+/// Number of steps in all.
+pub fn steps(plan: &Plan, pulse: &Pulse) -> usize {
+    pulse.segments(plan.window).iter().map(|s| steps_in(plan, s)).sum()
+}
 
-    /// The longest step it really takes, in s.
-    pub fn longest_step(&self, pulse: &Pulse) -> f64 {
-        pulse
-            .segments(self.window)
-            .iter()
-            .map(|s| (s.end - s.start) / self.steps_in(s) as f64)
-            .fold(0.0, f64::max)
-    }
+/// The longest step it really takes, in s.
+pub fn longest_step(plan: &Plan, pulse: &Pulse) -> f64 {
+    pulse
+        .segments(plan.window)
+        .iter()
+        .map(|s| (s.end - s.start) / steps_in(plan, s) as f64)
+        .fold(0.0, f64::max)
 }
 
 /// Moves `state` from 0 to the end of the window, or until `see` has seen enough.
@@ -73,14 +71,14 @@ pub fn march(
     state: &mut State,
     mut see: impl FnMut(Moment) -> ControlFlow<()>,
 ) -> Result<Cost, Refusal> {
-    let mut stepper = plan.integrator.method().stepper(system, plan);
+    let mut stepper = Method::of(plan.integrator).stepper(system, plan);
     let mut cost = Cost::default();
     for segment in system.pulse.segments(plan.window) {
         let piece = segment.piece;
         state.time = segment.start;
         let survey = state.evaluate(system, piece);
         cost.evaluations += 1;
-        let mut steps = EqualSteps::new(segment, plan.steps_in(&segment));
+        let mut steps = EqualSteps::new(segment, steps_in(plan, &segment));
         stepper.begin(state, &steps);
         let mut seen = see(Moment { state, survey: &survey, piece, starts: true });
         while seen.is_continue() && state.time < segment.end {

@@ -1,10 +1,9 @@
-//! What each integrator is: one row each, coefficients included.
+//! How each integrator makes a step: one row each, coefficients included.
 //!
-//! Everything that asks something of an integrator asks its row: the march, the stability limit,
-//! the command line, the forms, the plots of accuracy and the tests. A further one is a name in
-//! [`Integrator`] and a row here, which the compiler then asks for; the tests of order, stability
-//! and energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta
-//! method needs a [`Stepper`] of its own as well.
+//! Its name, order and cost stand with [`Integrator`], which every room knows. A further one is a
+//! name there and a row here, which the compiler then asks for; the tests of order, stability and
+//! energy take it in by themselves. Only one that is neither a composition nor a Runge-Kutta method
+//! needs a [`Stepper`] of its own as well.
 //!
 //! The paper prints v = (a - `a_previous`) dt, which gives zero under constant acceleration; its
 //! scheme is read as v += a dt, x += v dt.
@@ -35,17 +34,9 @@ const CLOSING_DRAG: f64 = 0.005;
 /// Largest drag rate times step.
 const MAX_DRAG: f64 = 2.0;
 
-/// One integrator.
+/// How an integrator makes a step, and up to which it is stable.
 #[derive(Debug)]
 pub struct Method {
-    /// Name as typed on the command line.
-    pub name: &'static str,
-    /// The capital that stands for it on plots.
-    pub letter: char,
-    /// What it is, for people, in one sentence.
-    pub about: &'static str,
-    /// Order of convergence: the error falls with this power of the step.
-    pub order: i32,
     /// Largest stable angular frequency times step with a little drag; a test scans it.
     pub stability_limit: f64,
     /// Where an undamped oscillator first grows, if that is a gap below the limit.
@@ -66,17 +57,16 @@ pub(crate) enum MethodKind {
 }
 
 impl Method {
-    /// Force evaluations a step, with one that consecutive steps share counted once.
-    pub fn evaluations(&self) -> usize {
-        match &self.scheme {
-            MethodKind::Composition { drifts, .. } => drifts.len(),
-            MethodKind::RungeKutta(tableau) => tableau.evaluations(),
+    /// How an integrator makes a step.
+    pub fn of(integrator: Integrator) -> &'static Self {
+        match integrator {
+            Integrator::SemiImplicitEuler => &SEMI_IMPLICIT_EULER,
+            Integrator::VelocityVerlet => &VELOCITY_VERLET,
+            Integrator::Srkn6b => &SRKN6B,
+            Integrator::Srkn11b => &SRKN11B,
+            Integrator::Rk4 => &RK4,
+            Integrator::Dopri5 => &DOPRI5,
         }
-    }
-
-    /// Whether the method chooses its own step lengths.
-    pub fn adaptive(&self) -> bool {
-        matches!(&self.scheme, MethodKind::RungeKutta(tableau) if !tableau.error.is_empty())
     }
 
     /// Largest step in s for which it is stable on `system` whatever its shape.
@@ -116,30 +106,7 @@ impl Method {
     }
 }
 
-impl Integrator {
-    /// All that is known of it, from the one table.
-    pub fn method(self) -> &'static Method {
-        match self {
-            Self::SemiImplicitEuler => &SEMI_IMPLICIT_EULER,
-            Self::VelocityVerlet => &VELOCITY_VERLET,
-            Self::Srkn6b => &SRKN6B,
-            Self::Srkn11b => &SRKN11B,
-            Self::Rk4 => &RK4,
-            Self::Dopri5 => &DOPRI5,
-        }
-    }
-
-    /// Name as typed on the command line.
-    pub fn name(self) -> &'static str {
-        self.method().name
-    }
-}
-
 static SEMI_IMPLICIT_EULER: Method = Method {
-    name: "semi-implicit-euler",
-    letter: 'E',
-    about: "The paper's scheme: v += a dt, x += v dt.",
-    order: 1,
     stability_limit: 2.0,
     first_gap: None,
     drag: Drag::WithKick,
@@ -147,10 +114,6 @@ static SEMI_IMPLICIT_EULER: Method = Method {
 };
 
 static VELOCITY_VERLET: Method = Method {
-    name: "velocity-verlet",
-    letter: 'A',
-    about: "Half a kick, a drift, half a kick: the cheapest where 1 % will do.",
-    order: 2,
     stability_limit: 2.0,
     first_gap: None,
     drag: Drag::Exact,
@@ -158,10 +121,6 @@ static VELOCITY_VERLET: Method = Method {
 };
 
 static SRKN6B: Method = Method {
-    name: "srkn6b",
-    letter: 'B',
-    about: "Blanes and Moan's symmetric composition of six stages: takes most answers.",
-    order: 4,
     stability_limit: 5.026,
     first_gap: Some(3.163),
     drag: Drag::Exact,
@@ -179,10 +138,6 @@ static SRKN6B: Method = Method {
 };
 
 static SRKN11B: Method = Method {
-    name: "srkn11b",
-    letter: 'N',
-    about: "Blanes and Moan's symmetric composition of eleven stages: the most accurate.",
-    order: 6,
     stability_limit: 9.07,
     first_gap: Some(3.135),
     drag: Drag::Exact,
@@ -211,10 +166,6 @@ static SRKN11B: Method = Method {
 };
 
 static RK4: Method = Method {
-    name: "rk4",
-    letter: 'R',
-    about: "The classical Runge-Kutta method, in equal steps.",
-    order: 4,
     stability_limit: 2.828,
     first_gap: None,
     drag: Drag::InRates,
@@ -232,10 +183,6 @@ static RK4: Method = Method {
 };
 
 static DOPRI5: Method = Method {
-    name: "dopri5",
-    letter: 'D',
-    about: "The Dormand-Prince pair 5(4), which chooses its own steps.",
-    order: 5,
     stability_limit: 0.997,
     first_gap: None,
     drag: Drag::InRates,
@@ -267,18 +214,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_are_told_apart_by_name_and_letter_and_their_shares_add_up() {
-        for (i, integrator) in Integrator::ALL.iter().enumerate() {
-            let row = integrator.method();
-            for other in &Integrator::ALL[..i] {
-                let other = other.method();
-                assert!(row.name != other.name && row.letter != other.letter);
-            }
+    fn shares_add_up_and_the_cost_is_that_of_the_scheme() {
+        for integrator in Integrator::ALL {
+            let (row, name) = (Method::of(*integrator), integrator.name());
+            let (evaluations, chooses) = match &row.scheme {
+                MethodKind::Composition { drifts, .. } => (drifts.len(), false),
+                MethodKind::RungeKutta(tableau) => {
+                    (tableau.evaluations(), !tableau.error.is_empty())
+                }
+            };
+            assert_eq!(integrator.evaluations(), evaluations, "{name}");
+            assert_eq!(integrator.chooses_its_steps(), chooses, "{name}");
             let whole = |shares: &[f64]| (shares.iter().sum::<f64>() - 1.0).abs() < 1e-14;
             match &row.scheme {
                 MethodKind::Composition { kicks, drifts } => {
                     assert_eq!(kicks.len(), drifts.len() + 1);
-                    assert!(whole(kicks) && whole(drifts), "{}", row.name);
+                    assert!(whole(kicks) && whole(drifts), "{name}");
                 }
                 MethodKind::RungeKutta(tableau) => {
                     assert_eq!(tableau.nodes.len(), tableau.stages.len());

@@ -42,6 +42,7 @@ const FOUNDATION: f64 = 3e10;
 /// Stiffness of the whole rim against what is hard, in N/m. Bone is meant to be rigid: with 3e7 N/m
 /// a ball of 24 g comes millimetres into it, and a stiffness ten times as large takes 10 to 34 % of
 /// the pressure; beyond 1e9 hardly anything changes.
+/// How it compares with the bone of the axisymmetric eye: see [`crate::models`].
 const STIFFNESS: f64 = 1e9;
 
 /// The edge of bone.

@@ -122,12 +122,12 @@ fn names_differ() {
 fn a_key_that_is_taken_is_refused_by_the_name_of_what_has_it() {
     let undo = |key| taken(&[("undo", key)]);
     assert_eq!([undo("Ctrl-X"), undo("u")], [None, None]);
-    assert_eq!(undo("s").unwrap(), "`save` (save as a preset of your own)");
+    assert_eq!(undo("Ctrl-S").unwrap(), "`save` (save as a preset of your own)");
     assert!(undo("Ctrl-C").unwrap().contains("leave at once"));
     assert!(undo("a").unwrap().contains("advanced fields\" (Form)"));
     assert!(undo("3").unwrap().starts_with("`forces`"));
     // What gave its key away may be followed.
-    assert_eq!(taken(&[("save", "W"), ("undo", "s")]), None);
+    assert_eq!(taken(&[("save", "W"), ("undo", "Ctrl-S")]), None);
 }
 
 #[test]

@@ -12,6 +12,8 @@ fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
     let page = question.answer(&mut unwatched);
     let effects = done::<WritePage>(&mut app, ticket, page);
     assert_eq!(writing(&app.model.page), None);
+    assert!(!effects.iter().any(|e| matches!(e, Effect::Page(..))), "a letter writes no file");
+    let effects = press(&mut app, "\r");
     let Some(Effect::Page(stem, text)) = effects.first() else { panic!("{effects:?}") };
     let text = String::from_utf8(text.clone()).unwrap();
     assert_eq!(stem, "paper-300n");
@@ -22,7 +24,7 @@ fn a_page_and_a_summary_are_taken_of_an_answer_and_say_how_to_repeat_it() {
 }
 
 #[test]
-fn a_large_page_is_written_after_a_question_that_says_where_and_how_large() {
+fn a_page_is_written_after_a_question_that_says_where_and_how_large() {
     for (reply, written) in [("y", true), ("n", false)] {
         let mut app = answered();
         let effects = press(&mut app, "w");

@@ -46,8 +46,40 @@ fn what_is_typed_after_enter_replaces_the_value_and_a_doubt_goes_behind_it() {
     press(&mut app, "\r\x1b[200~75\x1b[201~\r");
     assert_eq!(force(&app), 75.0);
     // A name that is offered is typed over as well.
-    press(&mut app, "sm");
+    press(&mut app, "\x13m");
     assert_eq!(offered(&app), "m");
+}
+
+#[test]
+fn no_letter_typed_on_main_saves_or_removes_anything() {
+    for letter in ('a'..='z').chain('A'..='Z') {
+        let mut app = answered();
+        let effects = press(&mut app, &letter.to_string());
+        let is_kept = |effect: &Effect| {
+            use Effect::{Page, Remove, Rename, Save};
+            !matches!(effect, Save(..) | Remove(..) | Rename(..) | Page(..))
+        };
+        assert!(effects.iter().all(is_kept), "{letter}");
+        assert!(!matches!(app.model.overlay, Some(Overlay::Name(..))), "{letter}");
+    }
+    // A word is no name to save under.
+    let mut app = answered();
+    press(&mut app, "squash\r");
+    assert!(app.model.choices.iter().all(|choice| choice.name != "quash"));
+}
+
+#[test]
+fn an_empty_paste_opens_nothing_and_one_without_a_field_is_refused() {
+    for nothing in ["", "\n", " \t "] {
+        let mut app = app();
+        press(&mut app, &format!("\x1b[200~{nothing}\x1b[201~"));
+        assert!(app.model.form.typing.is_none() && app.model.overlay.is_none(), "{nothing:?}");
+    }
+    let mut app = app();
+    app.model.form.selected = FormRow::Preset;
+    press(&mut app, "\x1b[200~squash\x1b[201~");
+    assert!(app.model.form.typing.is_none() && app.model.overlay.is_none());
+    assert!(app.model.notice.as_ref().is_some_and(|said| said.contains("nothing is pasted")));
 }
 
 #[test]

@@ -108,7 +108,7 @@ fn legend(shown: &[Total]) -> Vec<String> {
 }
 
 fn letter_and_name(of: Integrator) -> String {
-    format!("{} {}", of.method().letter, of.name())
+    format!("{} {}", of.letter(), of.name())
 }
 
 /// What each mesh level may be off by.
@@ -182,7 +182,7 @@ fn chart(shown: &[Total], cursor: usize, sheet: &mut Sheet) {
     marks.sort_by_key(|(at, total)| (*at == cursor, total.on_front));
     for (at, total) in marks {
         let (x, y) = cell(total);
-        let mut mark = total.plan.integrator.method().letter;
+        let mut mark = total.plan.integrator.letter();
         let level = total.level as usize - 1;
         let mut style = if theme.is_mono() { theme.text() } else { theme.curve(level) };
         if total.on_front {

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::answer::mesh_error::MeshError;
 use crate::answer::solve::Answer;
-use crate::injury::PerInjury;
 use crate::many::comparison::{ComparisonColumn, Entry, Found, columns, order};
 use crate::plain_text::quoted;
 use crate::run::trace::{OtherTrace, Trace};
@@ -188,15 +187,6 @@ impl Comparison {
         self.entries.iter().filter_map(|entry| Some((entry, mesh_question(entry)?)))
     }
 
-    /// The first of the table and the one with the cursor, or the second; and the chance that the
-    /// one is worse for each injury than the other, with what both share taken out.
-    pub(super) fn who_is_worse(&self) -> Option<([&Marked; 2], PerInjury<f64>)> {
-        let sorted = self.sorted();
-        let two = [sorted.first()?, sorted.get(self.entry.max(1))?].map(|at| &self.entries[*at]);
-        let [a, b] = two.map(Entry::answer);
-        Some((two, a?.worse(b?)?))
-    }
-
     /// Changes an entry; the cursor of the table stays with its own, wherever that is sorted to.
     pub(super) fn keeping_row(&mut self, change: impl FnOnce(&mut Self)) {
         let chosen = self.sorted().get(self.entry).copied();
@@ -302,6 +292,7 @@ mod tests {
     use super::*;
     use crate::answer::solve::solve;
     use crate::injury::Injury;
+    use crate::report::compare::which_is_worse;
     use crate::run::{kept::Keep, watch::unwatched};
     use crate::scenario::library;
 
@@ -375,9 +366,8 @@ mod tests {
             assert!(values.is_sorted_by(right), "{injury:?}");
         }
         comparison.sort = None;
-        let (two, chances) = comparison.who_is_worse().unwrap();
-        assert_eq!(two.map(|entry| &entry.name[..]), ["bb-62", "bb-56"]);
-        assert!(chances[Injury::GlobeRupture as usize] > 0.5, "{chances:?}");
+        let said = which_is_worse(&comparison.entries).unwrap();
+        assert!(said.starts_with("bb-62 is ") && said.ends_with('.'), "{said}");
         comparison.alignment = Alignment::Deepest;
         let deepest = |entry: &Marked| {
             let answer = entry.answer().unwrap();

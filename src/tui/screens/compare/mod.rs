@@ -83,9 +83,11 @@ impl Screen for Comparison {
         }
         self.pane = TABLE;
         let mut left_out = 0;
-        for Work { source, scenario, .. } in works {
-            let marked = self.entries.iter().any(|entry| entry.name == *source);
-            if !marked && self.add(source, scenario).is_err() {
+        for Work { source, scenario, original } in works {
+            let name = original.as_ref().map(|original| called(source, original, scenario));
+            let name = name.as_ref().unwrap_or(source);
+            let marked = self.entries.iter().any(|entry| entry.name == *name);
+            if !marked && self.add(name, scenario).is_err() {
                 left_out += 1;
             }
         }
@@ -163,6 +165,24 @@ impl Screen for Comparison {
         self.row = 1 + place;
         let name = choice.name.clone();
         self.open_list(model, &name);
+    }
+
+    /// Marks all that are not marked yet, and says by which names.
+    fn mark_several(&mut self, model: &mut AppModel, chosen: Vec<(usize, Scenario)>) {
+        let mut names = Vec::new();
+        for (place, scenario) in chosen {
+            let Some(Choice { name, scenario: Ok(original), .. }) = model.choices.get(place) else {
+                continue;
+            };
+            let called = called(name, original, &scenario);
+            let is_there = self.entries.iter().any(|entry| entry.name == called);
+            if !is_there && let Err(why) = self.add(&called, &scenario) {
+                return model.notice = Some(why);
+            }
+            self.row = 1 + place;
+            names.push(called);
+        }
+        model.notice = Some(format!("marked: {}", names.join(", ")));
     }
 
     /// Compares it as it is now; what was not marked is marked.

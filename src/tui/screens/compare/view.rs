@@ -3,19 +3,20 @@
 use ratatui::layout::Rect;
 
 use crate::answer::solve::Answer;
-use crate::injury::{Injury, whole};
-use crate::many::comparison::{ComparisonColumn, Found};
+use crate::injury::Injury;
+use crate::many::comparison::{ComparisonColumn, Entry, Found};
+use crate::report::compare::{brief, which_is_worse};
 use crate::report::figure::{Figure, Off};
-use crate::report::risks::first_line;
+use crate::report::sentence::verdict;
 use crate::run::quantity::Quantity;
 use crate::tui::screens::compare::comparison::{Alignment, Comparison, Marked};
 use crate::tui::screens::compare::comparison::{FORM, LIST, REPLAYS, TABLE};
 use crate::tui::screens::compare::comparison::{mesh_question, shown};
 use crate::tui::view::chart::{TimeChart, TimeCurve, mark};
-use crate::tui::view::risks::{bare, longest};
+use crate::tui::view::risks::{SHORTEST, bare, draw_bar, longest, short_name};
 use crate::tui::view::text::{fitted, longest_fitting, width, wrapped};
 use crate::tui::view::{below, eye::EyePicture, raster::Ink, sheet::Sheet};
-use crate::tui::{model::AppModel, shown::ShownAnswer, work::brief};
+use crate::tui::{model::AppModel, shown::ShownAnswer};
 
 pub const PANES: [&str; 3] = ["presets", "table", "replays"];
 
@@ -54,8 +55,10 @@ fn listed(
     model: &AppModel,
     area: Rect,
 ) -> impl Iterator<Item = (usize, Rect)> {
-    let first = compare.row.saturating_sub(usize::from(area.height).saturating_sub(2));
-    let rows = Rect { width: list_width(area), ..area }.rows().skip(1);
+    // Below the names of the panes and what is said of all.
+    let top = 1 + worse(compare, area.width).len();
+    let first = compare.row.saturating_sub(usize::from(area.height).saturating_sub(top + 1));
+    let rows = Rect { width: list_width(area), ..area }.rows().skip(top);
     (first..=model.choices.len()).zip(rows)
 }
 
@@ -111,14 +114,19 @@ fn with_list(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
         let style = if i == compare.row { theme.focus() } else { theme.text() };
         row.put((5, 0), fitted(brief(called), usize::from(wide) - 6), style);
     }
-    let charts = &mut sheet.part((wide, 1), (area.width - wide, area.height - 1));
+    let said = worse(compare, area.width);
+    sheet.put_lines((1, 1), &said, theme.strong());
+    let top = 1 + said.len() as u16;
+    let charts = &mut sheet.part((wide, top), (area.width - wide, area.height - top));
     if compare.entries.is_empty() {
-        let text = "Space marks the preset under the cursor,";
-        let below = charts.put_wrapped((1, 1), text, theme.quiet());
-        let text = "/ finds presets by letters and marks them, with a speed: squash@30";
-        charts.put_wrapped((1, below), text, theme.quiet());
+        let below = charts.put_wrapped((1, 1), "Which is worse?", theme.heading());
+        let text = "Space marks the preset under the cursor, two to six in all.";
+        let below = charts.put_wrapped((1, below + 1), text, theme.text());
+        let text = "/ takes several at once, each with its speed:";
+        let below = charts.put_wrapped((1, below + 1), text, theme.text());
+        charts.put((3, below), "squash@30, paintball@80, bb", theme.strong());
     } else {
-        overlaid(compare, model, charts);
+        side_by_side(compare, model, charts);
     }
 }
 
@@ -129,8 +137,7 @@ fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     let area = sheet.area;
     heading(compare, sheet);
     let count = compare.entries.len() as u16;
-    let worse = who_is_worse(compare)
-        .map_or_else(Vec::new, |said| wrapped(&said, usize::from(area.width.saturating_sub(2))));
+    let worse = worse(compare, area.width);
     let room = (area.height - 1).saturating_sub(worse.len() as u16);
     // What to believe gives way before the errors do, and those before the chart.
     let fits = |each: &u16| 2 + each * count + CHART <= room;
@@ -146,16 +153,69 @@ fn with_table(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
     }
 }
 
-/// In how many of 100 one blow is worse than the other for each injury.
-fn who_is_worse(compare: &Comparison) -> Option<String> {
-    let ([a, b], chances) = compare.who_is_worse()?;
-    let each = Injury::ALL
-        .iter()
-        .zip(chances)
-        .map(|(injury, chance)| format!("{} {}", injury.word(), bare(&whole(chance))));
-    let each: Vec<String> = each.collect();
-    let [a, b] = [a, b].map(|entry| brief(&entry.name));
-    Some(format!("{a} worse than {b}, in so many of 100: {}", each.join(", ")))
+/// Which is worse, in lines of an area so wide; none while some are being simulated.
+fn worse(compare: &Comparison, wide: u16) -> Vec<String> {
+    let said = which_is_worse(&compare.entries).filter(|_| compare.next().is_none());
+    said.map_or_else(Vec::new, |said| wrapped(&said, usize::from(wide.saturating_sub(2))))
+}
+
+/// Columns of an injury's name, and of a told share with its range.
+const INJURY: u16 = 14;
+const SHARES: u16 = 13;
+
+/// Each injury's bars side by side in the order of the table; the curves where no risks are told.
+fn side_by_side(compare: &Comparison, model: &AppModel, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let told = || compare.entries.iter().filter_map(Entry::answer);
+    if told().next().is_some() && told().flat_map(Answer::risks).next().is_none() {
+        return overlaid(compare, model, sheet);
+    }
+    // What is marked, in the order of the table and wherever it stands in the list.
+    let (mut x, mut y) = (1, 0);
+    for at in compare.sorted() {
+        let text = format!("{} {}", mark(at), brief(&compare.entries[at].name));
+        if x > 1 && x + width(&text) > area.width {
+            (x, y) = (1, y + 1);
+        }
+        x = sheet.put((x, y), text, theme.curve(at)) + 2;
+    }
+    y += 1;
+    if told().next().is_none() {
+        sheet.put((1, y), "simulating", theme.quiet());
+        return;
+    }
+    let bar = (1 + INJURY + 2, area.width.saturating_sub(1 + INJURY + 2 + SHARES + 1));
+    if y + 1 + (Injury::ALL.len() * compare.entries.len()) as u16 <= area.height {
+        sheet.put((1, y), "of 100 eyes hit so", theme.quiet());
+        sheet.put_right((area.width, y), "range: 8 of 10", theme.quiet());
+        y += 1;
+    }
+    let order = compare.sorted();
+    // A blank row between injuries where there is room for all.
+    let rows = Injury::ALL.len() as u16 * order.len() as u16;
+    let gap = u16::from(y + rows + Injury::ALL.len() as u16 <= area.height + 1);
+    for injury in Injury::ALL {
+        sheet.put((1, y), short_name(*injury), theme.text());
+        for (at, row) in order.iter().zip(y..) {
+            let entry = &compare.entries[*at];
+            sheet.put((1 + INJURY, row), mark(*at).to_string(), theme.curve(*at));
+            let risk = entry.answer().and_then(|answer| answer.risk(*injury));
+            let Some(risk) = risk.filter(|risk| risk.usable) else {
+                sheet.put_right((area.width, row), "not known", theme.quiet());
+                continue;
+            };
+            let share = risk.hit;
+            let style = theme.share(&share);
+            let told = bare(&share.percent());
+            let range = bare(&share.range());
+            let figures = if told == range { told } else { format!("{told} ({range})") };
+            sheet.put_right((area.width, row), figures, style);
+            if bar.1 >= SHORTEST && row < area.height {
+                draw_bar(&share, style, &mut sheet.part((bar.0, row), (bar.1, 1)));
+            }
+        }
+        y += order.len() as u16 + gap;
+    }
 }
 
 /// Columns of a number: room for the longest name and the mark of sorting.
@@ -250,7 +310,7 @@ fn row(entry: &Marked, (place, numbers): (usize, &[(Quantity, u16)]), sheet: &mu
     let room = usize::from(area.width) - 4;
     let belief = match answer.risks().first() {
         Some(risk) => longest(risk, room),
-        None => fitted(&first_line(answer), room),
+        None => fitted(&verdict(answer), room),
     };
     sheet.put((3, 2), belief, theme.text());
 }

@@ -224,7 +224,7 @@ impl Screen for Main {
 
     /// Points at rows, turns the blow on the eye, and goes through rows or time by the wheel.
     fn mouse(&mut self, model: &mut AppModel, mouse: Mouse, area: Rect) -> bool {
-        let parts = view::layout(area, model.form.advanced);
+        let parts = view::layout(area, model);
         let (Mouse::Press(at) | Mouse::Drag(at) | Mouse::Wheel(at, _)) = mouse;
         let in_form = parts.form.contains(at.into());
         match mouse {

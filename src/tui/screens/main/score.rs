@@ -1,24 +1,23 @@
-//! What limits the answer, and the paper's index: a line or a gauge with its three parts against
-//! their limits; where there are no risks, what is not known of the inputs.
+//! The sentence, a line for each injury, what limits them, and the paper's index: a line, or a
+//! gauge with its three parts against their limits, which is the answer of a blow on its section.
 
-use crate::answer::solve::Answer;
-use crate::injury::Term;
-use crate::report::figure::{Figure, PARTS, SCALE, allowing};
-use crate::report::figure::{in_the_limit, times_its_limit, unusable};
-use crate::report::{format::digits, risks::first_line};
+use crate::report::figure::{Figure, PARTS, SCALE, allowing, unusable, with_unit};
+use crate::report::format::{capital, digits};
+use crate::report::{risks, sentence as report};
 use crate::run::quantity::Quantity;
+use crate::tui::ensemble::is_whole;
 use crate::tui::view::risks::{limits, rows};
-use crate::tui::{ensemble::is_whole, screens::main::QUESTION, view::text::longest_fitting};
+use crate::tui::view::text::{longest_fitting, width, wrapped};
 use crate::tui::{model::AppModel, shown::ShownAnswer, simulation::Complete, view::sheet::Sheet};
 
-/// A bar of a share of its width, the threshold at its end.
-fn bar(share: f64, sheet: &mut Sheet) {
+/// A bar of a share of its width, the threshold or the whole at its end.
+pub fn bar(share: f64, sheet: &mut Sheet) {
     let (theme, cells) = (sheet.theme, sheet.area.width);
     let filled = (share.clamp(0.0, 1.0) * f64::from(cells)).round() as u16;
-    let end = sheet.put((0, 0), "█".repeat(filled.into()), theme.gauge(share));
-    sheet.put((end, 0), "░".repeat(usize::from(cells - filled)), theme.quiet());
+    let end = sheet.put((0, 0), "━".repeat(filled.into()), theme.filled());
+    sheet.put((end, 0), "─".repeat(usize::from(cells - filled)), theme.quiet());
     if share > 1.0 {
-        sheet.put((cells - 1, 0), "▶", theme.gauge(share));
+        sheet.put((cells - 1, 0), "▶", theme.strong());
     }
 }
 
@@ -26,24 +25,52 @@ fn bar(share: f64, sheet: &mut Sheet) {
 const SHORTEST: u16 = 4;
 /// Rows of the index with its parts.
 pub const BLOCK: u16 = 4;
+/// Rows of the paper's own answer: those, the apex, and what is not known of the inputs.
+pub const PAPER: u16 = BLOCK + 2;
 
-/// Draws each injury in `each` rows, or why nothing is said and what is not known of the inputs.
-pub fn answers(model: &AppModel, shown: &ShownAnswer, each: u16, sheet: &mut Sheet) {
+/// The answer on show in one sentence, in lines of so many columns; before it that it is an older
+/// one, if so.
+pub fn sentence(model: &AppModel, room: u16) -> Vec<String> {
+    let Some(shown) = &model.shown else { return Vec::new() };
+    let older = model.stale().map_or_else(String::new, |why| format!("({why}) "));
+    let said = report::sentence(&shown.scenario, &shown.answer);
+    wrapped(&format!("{older}{said}"), usize::from(room))
+}
+
+/// Draws each injury in `each` rows.
+pub fn answers(shown: &ShownAnswer, each: u16, sheet: &mut Sheet) {
     let theme = sheet.theme;
-    let none = shown.answer.risks().is_empty();
-    let (said, style) = match model.stale() {
-        Some(why) => (why, theme.warning()),
-        None if none => ("", theme.heading()),
-        None => ("80 % ranges", theme.heading()),
-    };
-    let heading = format!("{QUESTION} {said}");
-    if !none {
-        rows(&shown.answer, (&heading, style), (None, each), sheet);
-        return;
+    // So far the heads of the columns leave room.
+    let texts = ["range: 8 of 10 of what it may be", "range: 8 of 10"];
+    let room = if sheet.area.width > 60 { 34 } else { 27 };
+    rows(&shown.answer, (longest_fitting(&texts, room), theme.quiet()), (None, each), sheet);
+}
+
+/// Draws the paper's own answer: the index and its parts against their limits, the apex, and what
+/// is not known of the inputs.
+pub fn paper(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
+    let theme = sheet.theme;
+    if unusable(&shown.answer).is_some() {
+        index(shown, sheet);
+    } else {
+        gauges(shown, sheet);
     }
-    sheet.put((0, 0), heading.trim_end(), style);
-    let below = sheet.put_wrapped((0, 1), &first_line(&shown.answer), theme.strong());
-    sheet.put_longest((0, below), &bands(model, shown), theme.text());
+    if let Some(apex) = Figure::of(&shown.answer, Quantity::Apex) {
+        let label = capital(Quantity::Apex.row().label);
+        let peak = shown.answer.peak(Quantity::Apex);
+        let when = peak.map_or_else(String::new, |p| format!(" at {:.3} ms", p.time * 1e3));
+        let texts = [format!("{label} {apex}{when}"), format!("{label} {apex}")];
+        sheet.put_longest((0, BLOCK), &texts, theme.text());
+    }
+    sheet.put_longest((0, BLOCK + 1), &bands(model, shown), theme.text());
+}
+
+/// Draws why no injury is told of, for whoever asks.
+pub fn silence(shown: &ShownAnswer, sheet: &mut Sheet) {
+    let why = risks::silence(&shown.answer).unwrap_or_default();
+    let (not, take) = (why.split(": the").next(), why.rsplit_once("; ").map(|(_, take)| take));
+    let brief = format!("{}; {}", not.unwrap_or_default(), take.unwrap_or_default());
+    sheet.put_longest((0, 0), &[&why, &brief, not.unwrap_or_default()], sheet.theme.quiet());
 }
 
 /// Draws what limits the answer, or what the errors come from where nothing does.
@@ -96,23 +123,32 @@ pub fn index(shown: &ShownAnswer, sheet: &mut Sheet) {
 }
 
 fn gauges(shown: &ShownAnswer, sheet: &mut Sheet) {
-    let (area, theme) = (sheet.area, sheet.theme);
     let answer = &shown.answer;
     if let Some(figure) = Figure::of(answer, Quantity::Damage) {
-        sheet.put((0, 0), "Index", theme.heading());
-        let end = sheet.put((6, 0), figure.to_string(), theme.strong());
-        let texts = [format!(" ({SCALE})"), String::new()];
-        let text = longest_fitting(&texts, area.width.saturating_sub(end + SHORTEST + 1));
-        let end = sheet.put((end, 0), text, theme.quiet()) + 1;
-        let room = area.width.saturating_sub(end);
-        if room >= SHORTEST {
-            bar(answer.index().damage() / 100.0, &mut sheet.part((end, 0), (room, 1)));
-        }
+        let share = answer.index().damage() / 100.0;
+        gauge((Quantity::Damage.row().label, figure.to_string()), share, &mut sheet.row(0));
     }
     for (y, (of, term)) in (1..).zip(PARTS) {
         if let (Some(figure), Some(value)) = (Figure::of(answer, of), answer.result(of)) {
-            part(answer, (of, &figure, value, term), &mut sheet.row(y));
+            let limit = with_unit(&term.threshold.to_string(), figure.unit);
+            let said = format!("{} of {limit}", figure.cell());
+            gauge((of.row().label, said), value / term.threshold, &mut sheet.row(y));
         }
+    }
+}
+
+/// Columns of a gauge's name and of what is said of it.
+const NAME: u16 = 18;
+const SAID: u16 = 16;
+
+/// A name, a bar whose end is the limit, and figures.
+fn gauge((name, said): (&str, String), share: f64, sheet: &mut Sheet) {
+    let (area, theme) = (sheet.area, sheet.theme);
+    let end = sheet.put((0, 0), capital(name), theme.text()).max(NAME);
+    sheet.put_right((area.width, 0), &said, theme.strong());
+    let right = area.width.saturating_sub(SAID.max(width(&said)) + 1);
+    if right >= end + SHORTEST {
+        bar(share, &mut sheet.part((end, 0), (right - end, 1)));
     }
 }
 
@@ -132,9 +168,6 @@ fn brief(shown: &ShownAnswer) -> [String; 2] {
 /// The index of nine in ten samples where no risk has a range, the longest words first. A band of
 /// fewer than were asked for, or of folded ones, says so or bears a star that its screen explains.
 fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
-    if shown.answer.silence().is_none() {
-        return Vec::new();
-    }
     let Some(ensemble) = model.ensemble.of(&shown.scenario) else {
         let waiting = if model.idle { "still being computed" } else { "not computed" };
         return vec![
@@ -159,39 +192,4 @@ fn bands(model: &AppModel, shown: &ShownAnswer) -> Vec<String> {
         format!("inputs in doubt: {within}{mark} (90 %)"),
         format!("inputs in doubt: {within}{mark}"),
     ]
-}
-
-/// Where the figure of a part ends, and the columns of how many times its limit it is.
-const FIGURE: u16 = 38;
-const TIMES: u16 = 21;
-/// Columns of what it tends to on finer meshes.
-const FINER: u16 = 36;
-
-/// One part of the index: its value, and how many times its limit that is.
-fn part(
-    answer: &Answer,
-    (of, figure, value, term): (Quantity, &Figure, f64, Term),
-    sheet: &mut Sheet,
-) {
-    let (area, theme) = (sheet.area, sheet.theme);
-    let end = sheet.put((0, 0), of.row().label, theme.text());
-    let times = times_its_limit(figure, value, term);
-    let texts = [&times, &times.replace("times its limit", "of limit")];
-    let text = longest_fitting(&texts, area.width.saturating_sub(end + 2));
-    sheet.put_right((area.width, 0), text, theme.strong());
-    let right = area.width.saturating_sub(TIMES + 1);
-    if right < FIGURE {
-        return;
-    }
-    sheet.put_right((FIGURE, 0), figure.to_string(), theme.text());
-    let mut left = FIGURE + 2;
-    if let Some(limit) = in_the_limit(answer, of)
-        && left + FINER + SHORTEST <= right
-    {
-        sheet.put((left, 0), format!("with ever finer mesh {limit}"), theme.quiet());
-        left += FINER;
-    }
-    if right >= left + SHORTEST {
-        bar(value / term.threshold, &mut sheet.part((left, 0), (right - left, 1)));
-    }
 }

@@ -2,9 +2,9 @@
 //! node forces of the paper's, each with its peak, its error and its zero line.
 
 use crate::answer::solve::Answer;
-use crate::report::figure::Figure;
+use crate::report::figure::{Figure, with_unit};
 use crate::run::{kept::Peak, quantity::Quantity, trace::Trace};
-use crate::tui::view::chart::{TimeChart, TimeCurve, active, spark};
+use crate::tui::view::chart::{TimeChart, TimeCurve, active, colour_of, spark};
 use crate::tui::view::text::width;
 use crate::tui::{model::AppModel, shown::ShownAnswer, view::raster::Ink, view::sheet::Sheet};
 
@@ -36,13 +36,14 @@ fn caption(of: Quantity, figure: &Figure, peak: Peak, room: u16) -> (String, Str
     let ms = peak.time * 1e3;
     let times = [format!("at {ms:.3} ms"), format!("{ms:.3}ms"), format!("{ms:.2}ms")];
     let times = times.into_iter().filter(|_| room >= TIMED);
-    let tight = format!("{} {}", figure.signed(), figure.off);
+    let (unit, off) = figure.unit_and_error();
+    let tight = format!("{} {off}", with_unit(&figure.cell(), unit));
     let tight = tight.trim_end().replace(" %", "%");
     let close = tight.replace(&format!(" {}", figure.unit), figure.unit);
     let closest = close.replace(' ', "").replace('±', " ±");
     let texts = [figure.to_string(), tight, close, closest];
     let small = figure.off.percent().is_some_and(|error| error < 1.0);
-    let error = figure.off.to_string().replace(' ', "");
+    let error = off.replace(' ', "");
     let least = if small { "±<1%" } else { &error };
     let mut candidates = Vec::new();
     for time in times.chain([String::new()]) {
@@ -100,7 +101,8 @@ pub fn draw(model: &AppModel, (shown, nodes): (&ShownAnswer, bool), sheet: &mut 
         if each < 2 || values.is_empty() {
             continue;
         }
-        let (time, ink) = (&recorded.time, Ink::solid(theme.curve(i), 1, '*'));
+        let (time, ink) =
+            (&recorded.time, Ink::solid(theme.curve(colour_of(Trace::Of(quantity))), 1, '*'));
         let curve = TimeCurve { time, values, factor: 1.0, ink };
         let field = &mut sheet.part((0, top + 1), (area.width, each - 1));
         spark(curve, span, model.time(), field);
@@ -124,7 +126,7 @@ pub fn charts(model: &AppModel, shown: &ShownAnswer, sheet: &mut Sheet) {
         let (course, row) = (Trace::Of(of), of.row());
         let values = course.values(traces);
         let reading = Figure::of(&shown.answer, of).map(|figure| format!("peak {figure}"));
-        let (time, ink) = (&traces.time, Ink::solid(theme.curve(i), 2, '*'));
+        let (time, ink) = (&traces.time, Ink::solid(theme.curve(colour_of(course)), 2, '*'));
         let span = active(time, std::iter::once(values), shown.answer.window());
         let curves = vec![TimeCurve { time, values, factor: row.factor, ink }];
         let title = &format!("{}, {}", course.label(traces), row.unit);

@@ -208,9 +208,7 @@ fn nearest(span: Span, value: f64) -> usize {
 fn key(scenario: &Scenario, spans: [Span; 2]) -> Scenario {
     let mut bare = ensemble::key(scenario);
     bare.doubt.clear();
-    for span in spans {
-        set::put_number(&mut bare, span.field, span.from);
-    }
+    set::put_numbers(&mut bare, spans.map(|span| (span.field, span.from)));
     bare
 }
 
@@ -328,9 +326,8 @@ impl Map {
         let inputs = self.inputs()?.into_iter().zip(self.cursor);
         let moved: Vec<_> = inputs.filter(moved).map(|(input, _)| input).collect();
         let mut changed = scenario.clone();
-        for (span, value) in &moved {
-            set::put_number(&mut changed, span.field, *value);
-        }
+        let put = moved.iter().map(|(span, value)| (span.field, *value));
+        set::put_numbers(&mut changed, put);
         Some((moved, changed))
     }
 }

@@ -1,9 +1,8 @@
-//! A result over two inputs as a map of digits: tenths of its scale, with the lines of the half
-//! and the whole of it. The scale is that of the table of results, or else reaches to the largest
-//! value.
+//! A result over two inputs as a shaded map, with lines at a tenth, a half and nine tenths of its
+//! scale. The scale is that of the table of results, or else reaches to the largest value.
 //!
-//! Digits tell the value without colours; colours add how grave that is, or how much. Where the
-//! nearest simulated point folded its mesh the map is hatched, as no number holds there.
+//! Without colours digits tell the value in tenths. Where the nearest simulated point folded its
+//! mesh the map is hatched, as no number holds there.
 
 use std::collections::BTreeSet;
 
@@ -19,6 +18,7 @@ use crate::run::quantity::Quantity;
 use crate::scenario::{doubt::number, problem::plain};
 use crate::tui::screens::map::{Map, rounded};
 use crate::tui::screens::screen::state_of_work;
+use crate::tui::view::fundus::LADDER;
 use crate::tui::view::sheet::{Sheet, along};
 use crate::tui::view::text::{fitted, width, wrapped};
 use crate::tui::{model::AppModel, view::chart::axis_lines, view::theme::Theme};
@@ -102,14 +102,39 @@ pub fn draw(map: &Map, model: &AppModel, sheet: &mut Sheet) {
     } else {
         format!("steps of {}", with_unit(&rounded(0.1 * whole).to_string(), unit))
     };
-    let mut legend = format!("0-9: {steps}  {LINE} lines");
-    for (sign, words) in [(ABOVE, "above that"), (FOLDED, "folded")] {
+    let mut legend = format!("{LINE} lines");
+    for (sign, words) in [(ABOVE, "above that"), (FOLDED, "mesh folded")] {
         if drawn.contains(&sign) {
             legend.extend(["  ", sign, " ", words]);
         }
     }
     legend += "  o your blow";
-    sheet.put((1, area.height - 1), fitted(&legend, room), theme.quiet());
+    let row = &mut sheet.row(area.height - 1);
+    let after = match (theme.is_mono(), of.row().risk) {
+        (true, _) => row.put((1, 0), format!("0-9: {steps}"), theme.quiet()),
+        (false, true) => ladder(row),
+        (false, false) => ramp(whole, unit, row),
+    };
+    let room = usize::from(area.width.saturating_sub(after + 3));
+    row.put((after + 2, 0), fitted(&legend, room), theme.quiet());
+}
+
+/// The steps of risk in their words; gives the column after them.
+fn ladder(sheet: &mut Sheet) -> u16 {
+    let theme = sheet.theme;
+    LADDER.into_iter().fold(1, |x, (risk, words)| {
+        let x = sheet.put((x, 0), "  ", theme.told(risk).reversed());
+        sheet.put((x + 1, 0), words, theme.quiet()) + 1
+    })
+}
+
+/// The colours of a scale from 0 to its whole; gives the column after them.
+fn ramp(whole: f64, unit: &str, sheet: &mut Sheet) -> u16 {
+    let theme = sheet.theme;
+    let x = sheet.put((1, 0), "0 ", theme.quiet());
+    let shade = |i: u16| Style::new().fg(theme.part(Part::Globe, step(f64::from(i) / 10.0, 1.0)));
+    let x = (0..=10).fold(x, |x, i| sheet.put((x, 0), " ", shade(i).reversed()));
+    sheet.put((x + 1, 0), with_unit(&rounded(whole).to_string(), unit), theme.quiet())
 }
 
 /// The cell at a place on the map, from 0 to 1 across and up.
@@ -163,27 +188,26 @@ impl Cells<'_> {
         let inside = |(x, y): &(u16, u16)| *x < self.field.width && *y < self.field.height;
         let mut next = next.into_iter().filter(inside).filter_map(|next| self.share(next));
         let crosses = |other: f64| LINES.iter().any(|level| (other < *level) != (value < *level));
-        if next.any(crosses) {
-            return (LINE, theme.strong());
-        }
+        let line = next.any(crosses);
         if reading.folded {
             return (FOLDED, theme.quiet());
         }
-        // The grave looks so on every screen; of what is neither a risk nor grave, more is lighter.
+        // A risk looks as it does on every screen; of what is none, more is lighter.
         let row = self.of.row();
         let heat = if row.risk {
             theme.told(value * self.whole / 100.0)
-        } else if row.whole.is_some() {
-            theme.gauge(value)
         } else {
-            Style::new().fg(theme.part(Part::Globe, step(value, 1.0)))
+            Style::new().fg(theme.part(Part::Globe, step(value.min(1.0), 1.0)))
         };
-        let heat = if theme.is_mono() { heat } else { heat.add_modifier(Modifier::REVERSED) };
-        let sign = match value {
-            value if value > 1.0 => ABOVE,
-            value => DIGITS[((value * 10.0).max(0.0) as usize).min(9)],
-        };
-        (sign, heat)
+        // Where colours shade the map, lines lie on them and digits would only be noise.
+        let shaded = !theme.is_mono();
+        match value {
+            _ if line && shaded => (LINE, heat.add_modifier(Modifier::REVERSED)),
+            _ if line => (LINE, theme.strong()),
+            value if value > 1.0 => (ABOVE, if shaded { heat.reversed() } else { heat }),
+            _ if shaded => (" ", heat.reversed()),
+            value => (DIGITS[((value * 10.0).max(0.0) as usize).min(9)], heat),
+        }
     }
 
     /// Writes on each line its figure, on rows of their own.

@@ -82,7 +82,9 @@ impl Anatomical<'_> {
         let shown = self.scene.shown;
         let layers = if self.scene.front {
             let side = shown.scenario.eye_side();
-            front::layers(&shown.drawing, self.frame, side, grain).unwrap_or_default()
+            let stage = moment::stage(&shown.answer, self.scene.time);
+            let drawn = (&shown.drawing, self.frame);
+            front::layers(drawn, (side, stage), grain).unwrap_or_default()
         } else {
             let detail = DrawnDetail { grain, zoom, points: POINTS };
             shown.anatomy.layers(&shown.drawing, self.frame, detail)
@@ -314,7 +316,7 @@ fn mono(look: Look, own: &[Tint], edge: impl Fn(usize) -> bool, ghost: u8, latti
     let Tint { part, step } = one(own);
     let bits = ghost
         | match part {
-            Part::Object => 0x21,
+            Part::Object | Part::Veil => 0x21,
             Part::Bone => 0x99,
             Part::Nerve => 0xcc,
             Part::Fat if lattice => LATTICE,
@@ -364,7 +366,7 @@ fn ascii(tint: Tint, ghost: u8, lattice: bool, theme: Theme) -> Sign {
     let sign = match part {
         _ if ghost != 0 && !part.is_line() => ':',
         Part::Sky | Part::Pupil => ' ',
-        Part::Object | Part::Skin => 'o',
+        Part::Object | Part::Veil | Part::Skin => 'o',
         Part::Fat => [' ', '.'][usize::from(lattice)],
         Part::Bone => 'H',
         Part::Nerve => '=',

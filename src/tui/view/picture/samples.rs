@@ -55,7 +55,13 @@ impl Samples {
                     let column = |x: f64| (x - 0.5).ceil().clamp(0.0, self.width as f64) as usize;
                     let (from, to) = (column(ends[0].0), column(ends[1].0));
                     let start = y * self.width;
-                    self.labels[start + from..start + to].fill(shape.part);
+                    let labels = &mut self.labels[start..start + self.width];
+                    if shape.part == Part::Veil {
+                        let veiled = |x: &usize| (x / self.fine + y / self.fine).is_multiple_of(2);
+                        (from..to).filter(veiled).for_each(|x| labels[x] = Part::Object);
+                    } else {
+                        labels[from..to].fill(shape.part);
+                    }
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! The results of an answer, or their errors, and what is computed over all of them.
+//! The results of a blow, or their errors, and what is computed over all of them.
 
 use crate::run::quantity::{Family, Leads, Quantity};
 use crate::run::readings::PerQuantity;
