@@ -24,7 +24,7 @@ const SPENT: f64 = 1e-3;
 /// How many swings a run goes on after the last growth while the object lies at the eye.
 const LYING: f64 = 2.5;
 /// Measures that any end waits for, and with lens and iris all of them.
-const WAITED_FOR: usize = 7;
+const WAITED_FOR: usize = 9;
 const ALL: usize = WAITED_FOR + 2;
 
 /// What the end of a run depends on.
@@ -64,6 +64,8 @@ impl Ending {
             common.pressure.value,
             common.scleral_stress.value,
             common.shortening.value,
+            common.shell_growth.value,
+            common.equator_growth.value,
             common.energy_given.value,
             sum(&sectors.lens),
             sum(&sectors.iris),
