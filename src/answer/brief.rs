@@ -152,13 +152,11 @@ pub fn checked(scenario: &CheckedScenario, watch: Watch) -> Result<BriefAnswer, 
             answer = solve_by(answer.case, plan, watch)?;
         }
     }
-    answer.others = other_directions(scenario, watch)?;
-    let range = |injury: &Injury| Some(answer.risk(*injury)?.hit.ends());
-    let ranges: Option<Vec<(f64, f64)>> = Injury::ALL.iter().map(range).collect();
+    answer.set_others(other_directions(scenario, watch)?);
     let is_known = answer.errors.time_step_percent().is_some();
     let (last, leading) = (stated(&answer), leading(&answer));
     Ok(BriefAnswer {
-        ranges: ranges.and_then(|ranges| ranges.try_into().ok()),
+        ranges: answer.assessed().map(|risks| risks.map(|risk| risk.hit.ends())),
         values: answer.results(),
         flags: answer.flags.iter().map(|flag| flag.kind).collect(),
         check: is_known.then_some(Check { first, last, leading, missed, tried, good_step }),

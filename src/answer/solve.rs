@@ -14,6 +14,7 @@ use crate::run::raised::{TwoRuns, of_motion};
 use crate::run::{model::Run, ordered::until, plan::Plan, quantity::Quantity, refusal::Refusal};
 use crate::run::{rules::next_share, threads::beside, watch::Watch};
 use crate::scenario::{CheckedScenario, Scenario};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -78,6 +79,9 @@ pub struct Answer {
     pub errors: Errors,
     /// What tissues felt of the other directions that the blow may have come from.
     pub others: Vec<Felt>,
+    /// The risk of each injury, kept from the first time that somebody asks, as screens do in every
+    /// frame; empty before.
+    pub assessed: OnceLock<Option<PerInjury<Risk>>>,
     /// What limits the results: the flags of the run, and those that follow from the errors.
     pub flags: Vec<Flag>,
     /// Springs or cells computed in the run.
@@ -135,7 +139,7 @@ impl Answer {
     /// The risk of each injury: a globe first, as it must not be missed, then by what is told; none
     /// where [`Self::silence`] says why.
     pub fn risks(&self) -> Vec<Risk> {
-        let mut risks = self.assessed().map_or_else(Vec::new, Vec::from);
+        let mut risks = self.assessed().map_or_else(Vec::new, |risks| risks.to_vec());
         if let [_, rest @ ..] = &mut risks[..] {
             rest.sort_by(|a, b| b.share().told.total_cmp(&a.share().told));
         }
@@ -147,7 +151,18 @@ impl Answer {
         Some(self.assessed()?[injury as usize])
     }
 
-    fn assessed(&self) -> Option<PerInjury<Risk>> {
+    /// Takes what tissues felt of the other directions.
+    pub(crate) fn set_others(&mut self, others: Vec<Felt>) {
+        self.others = others;
+        self.assessed = OnceLock::new();
+    }
+
+    /// The risk of each injury in their order; none where [`Self::silence`] says why.
+    pub(crate) fn assessed(&self) -> Option<&PerInjury<Risk>> {
+        self.assessed.get_or_init(|| self.assess()).as_ref()
+    }
+
+    fn assess(&self) -> Option<PerInjury<Risk>> {
         let felt = self.felt();
         if felt.is_empty() || self.silence().is_some() {
             return None;
@@ -247,7 +262,7 @@ impl Answer {
 pub fn solve(scenario: &CheckedScenario, keep: Keep, watch: Watch) -> Result<Answer, Refusal> {
     let begun = Instant::now();
     let mut answer = solve_case(Compiled::new(scenario), scenario, keep, watch)?;
-    answer.others = other_directions(scenario, watch)?;
+    answer.set_others(other_directions(scenario, watch)?);
     answer.total_time = begun.elapsed();
     Ok(answer)
 }
@@ -406,6 +421,7 @@ fn finish(case: Compiled, plan: Plan, solved: Measured) -> Answer {
         run,
         errors,
         others: Vec::new(),
+        assessed: OnceLock::new(),
         flags,
         solve_time: time,
         total_time,

@@ -4,6 +4,7 @@
 //! window that has gone, and what a blow does grows with its size: a force of 300 N has size 1.
 //! Humps are polynomials, which give the same digits on every machine.
 
+use std::sync::OnceLock;
 use std::time::Duration;
 
 use contrecoup::answer::brief::{BriefAnswer, Check};
@@ -326,6 +327,7 @@ pub fn answer(scenario: &Scenario) -> Answer {
             energy_balance: 1e-3,
         },
         others: Vec::new(),
+        assessed: OnceLock::new(),
         flags: flags(fold),
         element_evaluations: 8_000_000,
         solve_time: Duration::from_millis(10),
